@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The program: its commands, its messages and its exit status (0 done, 2 wrong case or command line, 3 failed run,
+// 130 interrupted).
+
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "coronet/app/plot.hpp"
+#include "coronet/cases/builtin.hpp"
+#include "coronet/cases/read.hpp"
+#include "coronet/cases/set_up.hpp"
+#include "coronet/core/error.hpp"
+#include "coronet/core/parallel.hpp"
+#include "coronet/run/run.hpp"
+#include "coronet/version.hpp"
+
+namespace coronet {
+
+namespace {
+
+constexpr int done = 0, wrong_case = 2, failed_run = 3, interrupted_run = 130;
+
+void list_cases() {
+    for (BuiltinCase const& known : builtin_cases()) {
+        Case const c = load_case(std::string(known.name));
+        fmt::print("{:<22} {}D  {}\n", known.name, c.dimension, c.title);
+    }
+}
+
+void check(std::string const& name, std::vector<std::string> const& settings) {
+    Case const c = load_case(name, settings);
+    auto const particles = c.dimension == 2 ? fill<2>(c).size() : fill<3>(c).size();
+    fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles, c.time.end);
+}
+
+int run(std::string const& name, std::vector<std::string> const& settings, RunOptions options, int thread_count) {
+    Case const c = load_case(name, settings);
+    if (options.directory.empty()) options.directory = std::filesystem::path("runs") / c.name;
+    set_threads(thread_count);
+    RunStatus const status = run_case(c, options);
+    fmt::print("{}\n", options.directory.string());
+    return status == RunStatus::done ? done : interrupted_run;
+}
+
+int start(int argc, char** argv) {
+    CLI::App app{"coronet: droplets, splashes and viscous free-surface flows by smoothed particle hydrodynamics"};
+    app.set_version_flag("--version", fmt::format("coronet {} ({})", version, commit()));
+    app.require_subcommand(1);
+
+    std::string name, directory;
+    std::vector<std::string> settings, with;
+    int thread_count = 0;
+    RunOptions options;
+    auto const add_case = [&](CLI::App* command) {
+        command->add_option("CASE", name, "a .toml file, or the name of a built-in case")->required();
+        command->add_option("--set", settings, "change a key of the case: path.to.key=value, as often as you like")
+            ->take_all()
+            ->allow_extra_args(false);
+    };
+
+    auto* const run_command = app.add_subcommand("run", "run a case");
+    add_case(run_command);
+    run_command->add_option("--out", directory, "where to write (default runs/<case>)");
+    run_command->add_flag("--overwrite", options.overwrite, "replace a run that is already there");
+    run_command->add_option("--threads", thread_count, "how many (default: one per core)")->check(CLI::Range(1, 4096));
+    run_command->add_flag("--quiet", options.quiet, "show no progress");
+    auto* const cases_command = app.add_subcommand("cases", "list the built-in cases");
+    auto* const check_command = app.add_subcommand("check", "check a case without running it");
+    add_case(check_command);
+    auto* const keys_command = app.add_subcommand("keys", "print the reference page of all keys of a case (Markdown)");
+    auto* const plot_command = app.add_subcommand("plot", "draw the figures of a run into DIR/figures");
+    plot_command->add_option("DIR", directory, "the directory of a run")->required();
+    plot_command->add_option("--with", with, "other runs of the same case to draw beside it");
+
+    try {
+        app.parse(argc, argv);
+    } catch (CLI::ParseError const& error) {
+        return app.exit(error) == 0 ? done : wrong_case;
+    }
+    options.directory = directory;
+    if (*run_command) return run(name, settings, options, thread_count);
+    if (*cases_command) list_cases();
+    if (*check_command) check(name, settings);
+    if (*keys_command) fmt::print("{}", keys_page());
+    if (*plot_command) return plot(directory, with);
+    return done;
+}
+
+}  // namespace
+
+}  // namespace coronet
+
+int main(int argc, char** argv) {
+    try {
+        return coronet::start(argc, argv);
+    } catch (coronet::CaseError const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return coronet::wrong_case;
+    } catch (std::exception const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return coronet::failed_run;
+    }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A case: plain data that say what to simulate. SI units, angles in degrees. Every member is a key of the case file,
+// described once in describe(), which reading, writing, checking and the reference page all share.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "coronet/cases/keys.hpp"
+#include "coronet/schemes/pair_terms.hpp"
+
+namespace coronet {
+
+struct Cut {
+    std::vector<double> point, normal;
+};
+
+struct Shape {
+    std::string kind = "disc";
+    std::vector<double> centre;
+    double radius = 1;
+    std::vector<double> size, semi_axes;
+    double rotation = 0;
+    std::vector<Cut> cuts;
+};
+
+struct ProbeKeys {
+    std::string kind = "value";
+    std::string name, field = "pressure";
+    std::vector<double> at;
+    std::vector<std::string> rates, semi_axes;
+    std::string side = "1", angular_velocity = "1";
+};
+
+struct Case {
+    std::string name, title;
+    int dimension = 2;
+    std::map<std::string, double> parameters;
+    std::vector<Shape> shapes;
+
+    struct {
+        double spacing = 0;
+        std::string lattice = "square", origin = "node";
+        double rotation = 0, jitter = 0;
+        int seed = 1;
+    } particles;
+
+    struct {
+        std::vector<std::string> velocity;
+        std::string pressure = "0";
+    } initial;
+
+    struct {
+        double density = 1000, viscosity = 0, sound_speed = 0;
+        std::string equation_of_state = "linear", rheology = "newtonian";
+        double tait_exponent = 7;
+        std::vector<double> gravity;
+        std::vector<std::string> body_force;
+    } fluid;
+
+    struct {
+        std::string scheme = "weakly-compressible", gradient = "fpm", kernel = "quintic-spline", precision = "double";
+        double support = 3.9, skin = 0.3;
+        PairTerms pair_terms;
+    } method;
+
+    struct {
+        double end = 0, step = 0, courant = 0.25;
+        std::string stepping = "predictor-corrector", position_update = "mean-velocity";
+    } time;
+
+    struct {
+        double every = 0, series_every = 0;
+        bool frames = true;
+    } output;
+
+    std::vector<ProbeKeys> probes;
+};
+
+/// Shows every key of the case to the visitor, in the order of the file.
+void describe(Keys& keys, Case& c);
+
+}  // namespace coronet

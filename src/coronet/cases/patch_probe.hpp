@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What is looked at in the rotating square patch: how far corners and mid-sides are from the centre, the pressure there,
+// the number of fragments (particles linked within three spacings), and the area inside the outline.
+//
+// The outline runs through the particles of the initial surface in their initial order, by identity: it stays the material
+// surface. The part of their volume that lies outside it (half of an edge particle, three quarters of a corner one) keeps
+// its size in an incompressible flow and is added as it was at the start.
+
+#include <cstdint>
+#include <vector>
+
+#include "coronet/cases/probe.hpp"
+#include "coronet/kernels/kernel.hpp"
+
+namespace coronet {
+
+class PatchProbe final : public Probe<2> {
+public:
+    PatchProbe(ProbeKeys const& keys, Case const& c);
+    std::vector<std::string> columns() const override;
+    std::vector<double> sample(double time, Particles<2> const& particles) override;
+    std::vector<Measure> measures() const override;
+
+private:
+    void remember_surface(Particles<2> const& particles);
+
+    Kernel kernel_;
+    double spacing_, side_, omega_;
+    std::vector<std::int64_t> outline_, corners_, mid_sides_;  // identities
+    double outside_area_ = 0, first_area_ = 0, area_ = 0;
+    int fragments_ = 0;
+};
+
+}  // namespace coronet

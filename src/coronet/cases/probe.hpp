@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A probe looks at the particles at every sample: it adds columns to the series and, at the end, measures to the summary,
+// beside their exact value where there is one.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coronet/cases/case.hpp"
+#include "coronet/fields/particles.hpp"
+
+namespace coronet {
+
+/// A number the case exists for.
+struct Measure {
+    std::string name;
+    double value;
+    std::optional<double> reference, error;
+    std::string source;
+};
+
+template <int D>
+class Probe {
+public:
+    virtual ~Probe() = default;
+    virtual std::vector<std::string> columns() const = 0;
+    /// One number per column. Called in the order of time, first at t = 0.
+    virtual std::vector<double> sample(double time, Particles<D> const& particles) = 0;
+    virtual std::vector<Measure> measures() const { return {}; }
+};
+
+template <int D>
+std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c);
+
+}  // namespace coronet

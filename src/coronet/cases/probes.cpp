@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "coronet/cases/formula.hpp"
+#include "coronet/cases/patch_probe.hpp"
+#include "coronet/cases/point_value.hpp"
+#include "coronet/cases/probe.hpp"
+#include "coronet/cases/stretching_drop.hpp"
+#include "coronet/cases/totals.hpp"
+
+namespace coronet {
+
+namespace {
+
+constexpr char axis_name[] = {'x', 'y', 'z'};
+
+template <int D>
+Vector<double, D> constants(std::vector<std::string> const& texts, Case const& c) {
+    Vector<double, D> values;
+    for (int k = 0; k < D; ++k) values[k] = Formula(texts[k], c.parameters)(Vector<double, D>{}, 0);
+    return values;
+}
+
+/// Pressure, density or speed at a point.
+template <int D>
+class ValueProbe final : public Probe<D> {
+public:
+    ValueProbe(ProbeKeys const& keys, Case const& c) : keys_(keys), kernel_(probe_kernel<D>(c)) {
+        for (int k = 0; k < D; ++k) at_[k] = keys.at[k];
+    }
+    std::vector<std::string> columns() const override { return {keys_.name}; }
+    std::vector<double> sample(double, Particles<D> const& particles) override {
+        auto const view = particles.view();
+        return {value_at(particles, kernel_, at_, [&](std::size_t i) {
+            if (keys_.field == "pressure") return view.template get<Pressure>(i);
+            if (keys_.field == "density") return view.template get<Density>(i);
+            return std::sqrt(norm2(view.template get<Velocity>(i)));
+        })};
+    }
+
+private:
+    ProbeKeys keys_;
+    Kernel kernel_;
+    Vector<double, D> at_;
+};
+
+/// How far the angular momentum has drifted from its first value; in 3D by the length of the difference.
+template <int D>
+class AngularMomentumProbe final : public Probe<D> {
+public:
+    std::vector<std::string> columns() const override { return {"angular_momentum_drift"}; }
+    std::vector<double> sample(double, Particles<D> const& particles) override {
+        auto const now = totals(particles).angular_momentum;
+        if (!first_) first_ = now;
+        drift_ = std::sqrt(norm2(now - *first_) / norm2(*first_));
+        return {drift_};
+    }
+    std::vector<Measure> measures() const override {
+        return {{"angular_momentum_drift", drift_, 0.0, drift_, "conservation; relative to the first value"}};
+    }
+
+private:
+    std::optional<Vector<double, 3>> first_;
+    double drift_ = 0;
+};
+
+/// Semi-axes and centre pressure of a stretching drop, beside the exact ones (stretching_drop.hpp). A semi-axis is
+/// measured by the second moment of mass, s_k = sqrt((D + 2) sum m (x_k - centre_k)^2 / sum m), which is a_k for a uniform
+/// ellipsoid; the exact one is that of the first sample, carried along by the exact flow.
+template <int D>
+class StretchingProbe final : public Probe<D> {
+public:
+    StretchingProbe(ProbeKeys const& keys, Case const& c)
+        : first_axes_(constants<D>(keys.semi_axes, c)),
+          exact_(first_axes_, constants<D>(keys.rates, c), c.fluid.density),
+          kernel_(probe_kernel<D>(c)),
+          pressure_scale_(exact_.centre_pressure()) {}
+
+    std::vector<std::string> columns() const override {
+        std::vector<std::string> names;
+        for (std::string const prefix : {"", "exact_"}) {
+            for (int k = 0; k < D; ++k) names.push_back(prefix + "semi_axis_" + axis_name[k]);
+            names.push_back(prefix + "centre_pressure");
+        }
+        return names;
+    }
+
+    std::vector<double> sample(double time, Particles<D> const& particles) override {
+        auto const view = particles.view();
+        auto const total = totals(particles);
+        auto const centre = total.centre();
+        auto const moments = sum_over(particles.owned(), Vector<double, D>{}, [&](std::size_t i) {
+            auto x = view.template get<Position>(i) - centre;
+            for (int k = 0; k < D; ++k) x[k] *= view.template get<Mass>(i) * x[k];
+            return x;
+        });
+        Vector<double, D> s;
+        for (int k = 0; k < D; ++k) s[k] = std::sqrt((D + 2) * moments[k] / total.mass);
+        if (samples_ == 0) first_s_ = s;
+        exact_.advance_to(time);
+
+        double const p = value_at(particles, kernel_, centre, [&](std::size_t i) { return view.template get<Pressure>(i); });
+        std::vector<double> row(s.c, s.c + D);
+        row.push_back(p);
+        for (int k = 0; k < D; ++k) {
+            double const exact = first_s_[k] * exact_.semi_axes()[k] / first_axes_[k];
+            worst_axis_ = std::max(worst_axis_, std::fabs(s[k] / exact - 1));
+            row.push_back(exact);
+        }
+        row.push_back(exact_.centre_pressure());
+        sum_p2_ += std::pow((p - exact_.centre_pressure()) / pressure_scale_, 2);
+        ++samples_;
+        return row;
+    }
+
+    std::vector<Measure> measures() const override {
+        std::string const source = "exact stretching drop, Fang et al. (2009) Eqs 94-96";
+        double const rms = std::sqrt(sum_p2_ / samples_);
+        return {{"semi_axis_error_max", worst_axis_, 0.0, worst_axis_, source},
+                {"centre_pressure_error_rms", rms, 0.0, rms, source + "; over the exact initial centre pressure"}};
+    }
+
+private:
+    Vector<double, D> first_axes_;
+    StretchingDrop<D> exact_;
+    Kernel kernel_;
+    double pressure_scale_, worst_axis_ = 0, sum_p2_ = 0;
+    Vector<double, D> first_s_;
+    int samples_ = 0;
+};
+
+}  // namespace
+
+template <int D>
+std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
+    std::vector<std::unique_ptr<Probe<D>>> probes;
+    for (ProbeKeys const& keys : c.probes) {
+        if (keys.kind == "value") probes.push_back(std::make_unique<ValueProbe<D>>(keys, c));
+        if (keys.kind == "angular-momentum") probes.push_back(std::make_unique<AngularMomentumProbe<D>>());
+        if (keys.kind == "stretching") probes.push_back(std::make_unique<StretchingProbe<D>>(keys, c));
+        if constexpr (D == 2)
+            if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
+    }
+    return probes;
+}
+
+template std::vector<std::unique_ptr<Probe<2>>> make_probes(Case const&);
+template std::vector<std::unique_ptr<Probe<3>>> make_probes(Case const&);
+
+}  // namespace coronet

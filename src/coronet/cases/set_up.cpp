@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/cases/set_up.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coronet/cases/formula.hpp"
+#include "coronet/schemes/weakly_compressible.hpp"
+
+namespace coronet {
+
+namespace {
+
+std::vector<Formula> formulas(std::vector<std::string> const& texts, Case const& c) {
+    std::vector<Formula> list;
+    for (std::string const& text : texts) list.emplace_back(text, c.parameters);
+    return list;
+}
+
+/// The case's body force as the scheme wants it; empty where the case has none.
+template <int D>
+std::function<void(double, View<D> const&, std::size_t)> body_force(Case const& c) {
+    auto const zero = [](std::string const& text) { return text == "0"; };
+    if (std::all_of(c.fluid.body_force.begin(), c.fluid.body_force.end(), zero)) return {};
+    auto force = std::make_shared<std::vector<Formula>>(formulas(c.fluid.body_force, c));
+    return [force](double time, View<D> const& view, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            auto const x = view.template get<Position>(i);
+            for (int k = 0; k < D; ++k) view.template at<Acceleration>(k)[i] += (*force)[k](x, time);
+        }
+    };
+}
+
+}  // namespace
+
+EquationOfState equation_of_state(Case const& c) {
+    return {c.fluid.equation_of_state == "tait" ? EquationOfState::Kind::tait : EquationOfState::Kind::linear,
+            c.fluid.density, c.fluid.sound_speed, c.fluid.tait_exponent};
+}
+
+template <int D>
+InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
+    InitialState<D> state{Particles<D>(seeds.size())};
+    state.particles.allocate(Fields<Position, Velocity, Density, Mass, Surface>{});
+    auto const view = state.particles.view();
+    auto const eos = equation_of_state(c);
+    auto velocity = formulas(c.initial.velocity, c);
+    Formula pressure(c.initial.pressure, c.parameters);
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        auto const& x = seeds.position[i];
+        Vector<double, D> v;
+        for (int k = 0; k < D; ++k) v[k] = velocity[k](x, 0);
+        double const rho = eos.density(pressure(x, 0));
+        view.template set<Position>(i, x);
+        view.template set<Velocity>(i, v);
+        view.template set<Density>(i, rho);
+        view.template set<Mass>(i, rho * seeds.volume);
+        view.template set<Surface>(i, seeds.surface[i]);
+        double const speed2 = norm2(v);
+        state.fastest2 = std::isfinite(speed2) ? std::max(state.fastest2, speed2) : INFINITY;
+        state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
+    }
+    return state;
+}
+
+template <int D>
+std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
+    typename WeaklyCompressible<D>::Settings s;
+    double const dx = c.particles.spacing;
+    s.kernel = make_kernel(c.method.kernel, D, c.method.support * dx);
+    s.skin = c.method.skin * dx;
+    s.gradient = c.method.gradient == "sph" ? Gradient::sph : c.method.gradient == "cph" ? Gradient::cph : Gradient::fpm;
+    s.position_update = c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity
+                                                                  : PositionUpdate::midpoint_velocity;
+    s.courant = c.time.courant;
+    s.equation_of_state = equation_of_state(c);
+    s.liquid.viscosity = c.fluid.viscosity;
+    s.pair_terms = c.method.pair_terms;
+    for (int k = 0; k < D; ++k) s.gravity[k] = c.fluid.gravity[k];
+    s.body_force = body_force<D>(c);
+    return std::make_unique<WeaklyCompressible<D>>(s, initial_state(c, fill<D>(c)).particles);
+}
+
+template InitialState<2> initial_state(Case const&, Seeds<2> const&);
+template InitialState<3> initial_state(Case const&, Seeds<3> const&);
+template std::unique_ptr<Scheme<2>> make_scheme(Case const&);
+template std::unique_ptr<Scheme<3>> make_scheme(Case const&);
+
+}  // namespace coronet

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// From a checked case to what runs: particles with their initial state, and the scheme that advances them.
+
+#include <memory>
+
+#include "coronet/cases/fill.hpp"
+#include "coronet/materials/equation_of_state.hpp"
+#include "coronet/schemes/scheme.hpp"
+
+namespace coronet {
+
+EquationOfState equation_of_state(Case const& c);
+
+template <int D>
+struct InitialState {
+    Particles<D> particles;
+    double fastest2 = 0;              ///< largest squared speed [m^2/s^2]; infinite if any is not finite
+    bool density_is_possible = true;  ///< finite and positive everywhere
+};
+
+/// Particles with position, velocity, density from the initial pressure, mass (density times lattice volume), surface.
+template <int D>
+InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds);
+
+template <int D>
+std::unique_ptr<Scheme<D>> make_scheme(Case const& c);
+
+}  // namespace coronet

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The vocabulary of particle fields: each is named once, here, with its symbol, rank, unit and meaning. Storage, views,
+// what a law reads and gives, frames and documentation all come from this one list.
+
+#include <array>
+#include <string_view>
+#include <type_traits>
+
+#include "coronet/core/tensor.hpp"
+
+namespace coronet {
+
+enum class Rank { scalar, vector, symmetric, matrix };
+
+// X(name, symbol, rank, unit, meaning). V marks what is a sum over neighbours weighted with their volumes.
+#define CORONET_FIELDS(X)                                                                                     \
+    X(Position, x, vector, "m", "position")                                                                   \
+    X(Velocity, v, vector, "m/s", "velocity")                                                                 \
+    X(Density, rho, scalar, "kg/m^3", "mass density")                                                         \
+    X(Mass, m, scalar, "kg", "mass (per metre of depth in 2D)")                                               \
+    X(Volume, V, scalar, "m^3", "volume m/rho (an area in 2D)")                                               \
+    X(SoundSpeed, c, scalar, "m/s", "sound speed")                                                           \
+    X(Pressure, p, scalar, "Pa", "pressure")                                                                  \
+    X(Surface, surface, scalar, "-", "1 for a particle of the initial free surface, else 0")                  \
+    X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support")    \
+    X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                        \
+    X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                     \
+    X(Stress, sigma, symmetric, "Pa", "total stress -p I + tau")                                              \
+    X(CorrectedStress, T, matrix, "Pa", "stress times the gradient correction, sigma L")                      \
+    X(StressOffset, s, vector, "Pa/m", "stress times the value correction, sigma q")                          \
+    X(FellBack, fell_back, scalar, "-", "1 where a singular matrix left the plain gradient, else 0")           \
+    X(PositionBefore, x0, vector, "m", "position at the start of the step")                                   \
+    X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                                 \
+    X(DensityBefore, rho0, scalar, "kg/m^3", "density at the start of the step")                              \
+    X(PositionListed, x_listed, vector, "m", "position when the neighbours were listed")                      \
+    X(KernelSum, W0, scalar, "-", "sum V W")                                                                  \
+    X(KernelMoment, W1, vector, "m", "sum V (x_j - x_i) W")                                                   \
+    X(SlopeSum, G0, vector, "1/m", "sum V grad W")                                                            \
+    X(SlopeMoment, G1, symmetric, "-", "sum V grad W (x_j - x_i)")                                            \
+    X(VelocityJump, v_jump, vector, "m/s", "sum V (v_j - v_i) W")                                             \
+    X(VelocitySlope, v_slope, matrix, "1/s", "sum V (v_j - v_i) grad W: the plain SPH velocity gradient")     \
+    X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                  \
+    X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                              \
+    X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                 \
+    X(SampleSlope, f_slope, vector, "1/m", "sum V (f_j - f_i) grad W: the plain SPH gradient")
+
+template <Rank rank, class R, int D>
+struct RankType;
+template <class R, int D>
+struct RankType<Rank::scalar, R, D> {
+    using Type = R;
+};
+template <class R, int D>
+struct RankType<Rank::vector, R, D> {
+    using Type = Vector<R, D>;
+};
+template <class R, int D>
+struct RankType<Rank::symmetric, R, D> {
+    using Type = Symmetric<R, D>;
+};
+template <class R, int D>
+struct RankType<Rank::matrix, R, D> {
+    using Type = Matrix<R, D>;
+};
+
+/// The value of field F at one particle, of number type R, in D dimensions.
+template <class F, class R, int D>
+using ValueOf = typename RankType<F::rank, R, D>::Type;
+
+template <Rank rank, int D>
+constexpr int components() {
+    return rank == Rank::scalar ? 1 : rank == Rank::vector ? D : rank == Rank::symmetric ? D * (D + 1) / 2 : D * D;
+}
+
+/// Component k of a value of any rank.
+template <class R>
+CORONET_HD constexpr R& component(R& scalar, int) {
+    return scalar;
+}
+template <Tensor T>
+CORONET_HD constexpr auto& component(T& value, int k) {
+    return value.c[k];
+}
+template <Tensor T>
+CORONET_HD constexpr auto const& component(T const& value, int k) {
+    return value.c[k];
+}
+
+namespace detail {
+enum FieldNumber {
+#define CORONET_NUMBER(name, symbol, rank, unit, meaning) name##Number,
+    CORONET_FIELDS(CORONET_NUMBER)
+#undef CORONET_NUMBER
+        field_count
+};
+}  // namespace detail
+
+inline constexpr int field_count = detail::field_count;
+
+// Each field is a tag type. Member<R, D> is what lets a law write ij.i.rho and ij.j.v: a set of values inherits it.
+#define CORONET_TAG(name_, symbol_, rank_, unit_, meaning_)                    \
+    struct name_ {                                                             \
+        static constexpr int number = detail::name_##Number;                   \
+        static constexpr Rank rank = Rank::rank_;                              \
+        template <class R, int D>                                              \
+        struct Member {                                                        \
+            ValueOf<name_, R, D> symbol_ = {};                                 \
+        };                                                                     \
+        template <class Values>                                                \
+        CORONET_HD static constexpr auto& of(Values& values) {                 \
+            return values.symbol_;                                             \
+        }                                                                      \
+    };
+CORONET_FIELDS(CORONET_TAG)
+#undef CORONET_TAG
+
+/// What is known of a field at run time, for frames and documentation.
+struct FieldInfo {
+    std::string_view name, symbol, unit, meaning;
+    Rank rank;
+};
+
+inline constexpr std::array<FieldInfo, field_count> field_info = {{
+#define CORONET_INFO(name, symbol, rank, unit, meaning) {#name, #symbol, unit, meaning, Rank::rank},
+    CORONET_FIELDS(CORONET_INFO)
+#undef CORONET_INFO
+}};
+
+/// A list of fields, as a type.
+template <class... F>
+struct Fields {
+    static constexpr int size = sizeof...(F);
+};
+
+/// Values of a list of fields at one particle (or at a pack of them): values.rho, values.v, ...
+template <class R, int D, class List>
+struct Values;
+template <class R, int D, class... F>
+struct Values<R, D, Fields<F...>> : F::template Member<R, D>... {};
+
+template <class... F, class Visit>
+CORONET_HD constexpr void for_fields(Fields<F...>, Visit const& visit) {
+    (visit(F{}), ...);
+}
+
+namespace detail {
+template <class F, class List>
+inline constexpr bool has = false;
+template <class F, class... L>
+inline constexpr bool has<F, Fields<L...>> = (std::is_same_v<F, L> || ...);
+
+template <class List, class... More>
+struct UniteTwo {
+    using Type = List;
+};
+template <class... L, class F, class... More>
+struct UniteTwo<Fields<L...>, F, More...> {
+    using Type =
+        typename UniteTwo<std::conditional_t<has<F, Fields<L...>>, Fields<L...>, Fields<L..., F>>, More...>::Type;
+};
+template <class... Lists>
+struct UniteAll {
+    using Type = Fields<>;
+};
+template <class List>
+struct UniteAll<List> {
+    using Type = List;
+};
+template <class First, class... F, class... Rest>
+struct UniteAll<First, Fields<F...>, Rest...> {
+    using Type = typename UniteAll<typename UniteTwo<First, F...>::Type, Rest...>::Type;
+};
+}  // namespace detail
+
+/// The fields of several lists, each once.
+template <class... Lists>
+using Unite = typename detail::UniteAll<Lists...>::Type;
+
+}  // namespace coronet

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Smoothing kernels W(r) with support H (W = 0 for r >= H), as data: with s = r/H, every kernel here is a sum over knots
+//     W(r) = sum_k u_k^3 (c_k0 + c_k1 u_k + c_k2 u_k^2 + c_k3 u_k^3),   u_k = max(0, knot_k - s),
+// so one branch-free piece of code serves all, and W and its slope vanish at the edge by themselves.
+// Units: W in 1/m^D. Sources of the shapes stand beside their names in kernel.cpp.
+
+#include <span>
+#include <string_view>
+
+#include "coronet/core/real.hpp"
+
+namespace coronet {
+
+/// W and F = W'/r at a distance; the gradient of W at x_i is F (x_i - x_j). F is in 1/m^(D+2).
+template <class R>
+struct KernelValue {
+    R W, F;
+};
+
+struct Kernel {
+    static constexpr int most_knots = 3;
+    double support;          ///< H [m]
+    double inverse_support;  ///< 1/H [1/m]
+    int knots;
+    double knot[most_knots];
+    double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
+
+    /// r2 = r^2 [m^2]. At r = 0 F is finite for every kernel but `w3`, whose limit is infinite: there F is large and
+    /// F (x_i - x_j) still zero.
+    template <class R>
+    CORONET_HD KernelValue<R> operator()(R const& r2) const {
+        R const r = square_root(largest(r2, R(1e-24 * support * support)));
+        R const s = r * R(inverse_support);
+        R W = R(0), slope = R(0);
+        for (int k = 0; k < knots; ++k) {
+            R const u = largest(R(knot[k]) - s, R(0));
+            R const u2 = u * u;
+            W += u2 * u * (R(c[k][0]) + u * (R(c[k][1]) + u * (R(c[k][2]) + u * R(c[k][3]))));
+            slope += u2 * (R(3 * c[k][0]) + u * (R(4 * c[k][1]) + u * (R(5 * c[k][2]) + u * R(6 * c[k][3]))));
+        }
+        return {W, -slope * R(inverse_support) / r};
+    }
+
+    /// W at r = 0: what a particle adds to its own sums.
+    double at_zero() const { return (*this)(0.0).W; }
+};
+
+/// The names that make_kernel knows.
+std::span<std::string_view const> kernel_names();
+
+/// A kernel by name, of the given support radius [m], normalised in `dimension` = 1, 2 or 3 dimensions.
+/// Throws std::invalid_argument for a name that is not among kernel_names().
+Kernel make_kernel(std::string_view name, int dimension, double support);
+
+}  // namespace coronet

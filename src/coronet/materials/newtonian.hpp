@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The stress of a Newtonian liquid, sigma = -p I + 2 eta d, with d the traceless symmetric part of the velocity gradient:
+// Fang et al. (2009) Eqs 5, 6 and 62. Bulk viscosity is zero.
+
+#include "coronet/core/tensor.hpp"
+
+namespace coronet {
+
+struct Newtonian {
+    double viscosity = 0;  ///< dynamic shear viscosity eta [Pa s]
+
+    /// grad_v(a, b) = dv_a/dx_b [1/s], p [Pa] -> sigma [Pa].
+    template <int D>
+    CORONET_HD Symmetric<double, D> stress(double p, Matrix<double, D> const& grad_v) const {
+        Symmetric<double, D> sigma;
+        double const mean = trace(grad_v) / D;
+        for (int a = 0; a < D; ++a)
+            for (int b = a; b < D; ++b) sigma(a, b) = viscosity * (grad_v(a, b) + grad_v(b, a));
+        for (int a = 0; a < D; ++a) sigma(a, a) -= p + 2 * viscosity * mean;
+        return sigma;
+    }
+};
+
+}  // namespace coronet

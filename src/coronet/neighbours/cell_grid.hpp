@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A uniform grid of cells over the bounding box of the particles. After sort() the particles stand in the order of their
+// cells, x fastest, so that the particles of neighbouring cells of a row are one contiguous range: near in space is near
+// in memory.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "coronet/fields/particles.hpp"
+
+namespace coronet {
+
+/// A contiguous range of particles, [first, last).
+struct Range {
+    Index first, last;
+};
+
+template <int D>
+class CellGrid {
+public:
+    /// Lays the grid and re-orders the particles along it. Cells are at least `width` wide [m]; wider where particles have
+    /// flown so far apart that cells of that width would outnumber them. Throws RunError at a position that is not finite.
+    void sort(Particles<D>& particles, double width);
+
+    /// The particles of the cells around the one of `x`, a row at a time: everything within `width` of x is among them.
+    template <class Visit>
+    void for_rows_around(Vector<double, D> const& x, Visit const& visit) const {
+        std::array<int, 3> low{}, high{};
+        for (int k = 0; k < D; ++k) {
+            int const cell = cell_along(x[k], k);
+            low[k] = std::max(cell - 1, 0);
+            high[k] = std::min(cell + 1, cells_[k] - 1);
+        }
+        for (int c2 = low[2]; c2 <= high[2]; ++c2)
+            for (int c1 = low[1]; c1 <= high[1]; ++c1) {
+                std::size_t const row = (static_cast<std::size_t>(c2) * cells_[1] + c1) * cells_[0];
+                visit(Range{begin_[row + low[0]], begin_[row + high[0] + 1]});
+            }
+    }
+
+private:
+    int cell_along(double x, int k) const {
+        int const cell = static_cast<int>((x - low_[k]) * inverse_width_);
+        return std::min(std::max(cell, 0), cells_[k] - 1);
+    }
+    std::size_t cell_of(Vector<double, D> const& x) const {
+        std::size_t cell = 0;
+        for (int k = D - 1; k >= 0; --k) cell = cell * cells_[k] + static_cast<std::size_t>(cell_along(x[k], k));
+        return cell;
+    }
+
+    Vector<double, D> low_;
+    double inverse_width_ = 0;
+    std::array<int, 3> cells_ = {1, 1, 1};
+    std::vector<Index> begin_;
+};
+
+}  // namespace coronet

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/run/interrupt.hpp"
+
+#include <csignal>
+
+namespace coronet {
+
+namespace {
+
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+void ask_to_stop(int signal) {
+    asked_to_stop = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void watch_for_interrupts() {
+    asked_to_stop = 0;
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+}
+
+bool interrupted() { return asked_to_stop != 0; }
+
+}  // namespace coronet

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/run/recorder.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "coronet/cases/totals.hpp"
+#include "coronet/io/frame.hpp"
+#include "coronet/version.hpp"
+
+namespace coronet {
+
+namespace {
+
+constexpr char axis_name[] = {'x', 'y', 'z'};
+
+template <int D>
+std::vector<std::string> standard_columns() {
+    std::vector<std::string> names{"time", "step", "dt", "particles", "mass", "volume"};
+    auto const vector = [&](std::string const& name) {
+        for (int k = 0; k < D; ++k) names.push_back(name + "_" + axis_name[k]);
+    };
+    vector("momentum");
+    names.push_back("angular_momentum_z");
+    if (D == 3) names.insert(names.end(), {"angular_momentum_x", "angular_momentum_y"});
+    vector("centre");
+    names.insert(names.end(), {"kinetic_energy", "spacing_min", "singular_matrices"});
+    return names;
+}
+
+/// The fields a reader of a frame looks for, under the names VTK's users would give them.
+template <int D>
+std::vector<FrameField> frame_fields(Particles<D> const& particles) {
+    constexpr std::array shown{Velocity::number, Acceleration::number, Density::number, Pressure::number,   Mass::number,
+                               Volume::number,   Stress::number,       Surface::number, Exterior::number, FellBack::number};
+    constexpr std::array names{"velocity", "acceleration", "density", "pressure", "mass",
+                               "volume",   "stress",       "surface", "exterior", "singular_matrix"};
+    std::size_t const n = particles.owned();
+    auto const view = particles.view();
+    std::vector<FrameField> fields;
+    for (std::size_t f = 0; f < shown.size(); ++f) {
+        if (!particles.has(shown[f])) continue;
+        FieldInfo const& info = field_info[static_cast<std::size_t>(shown[f])];
+        // ParaView wants three components of a vector and six of a symmetric tensor, in 2D too.
+        int const components = info.rank == Rank::scalar ? 1 : info.rank == Rank::vector ? 3 : 6;
+        FrameField field{names[f], std::string(info.unit), components, std::vector<double>(n * components)};
+        auto const put = [&](int from, int to) {
+            double const* const values = view.first[shown[f]] + static_cast<std::size_t>(from) * view.stride;
+            for (std::size_t i = 0; i < n; ++i) field.values[i * components + to] = values[i];
+        };
+        if (info.rank == Rank::scalar) put(0, 0);
+        if (info.rank == Rank::vector)
+            for (int k = 0; k < D; ++k) put(k, k);
+        if (info.rank == Rank::symmetric)
+            for (int k = 0; k < Symmetric<double, D>::size; ++k) put(k, D == 2 && k == 2 ? 3 : k);
+        fields.push_back(std::move(field));
+    }
+    return fields;
+}
+
+}  // namespace
+
+template <int D>
+Recorder<D>::Recorder(Case const& c, std::filesystem::path directory, Scheme<D>& scheme)
+    : case_(c), directory_(std::move(directory)), scheme_(scheme), probes_(make_probes<D>(c)) {
+    auto columns = standard_columns<D>();
+    for (auto const& probe : probes_)
+        for (std::string const& name : probe->columns()) columns.push_back(name);
+    series_.emplace(directory_ / "series.csv", columns);
+}
+
+template <int D>
+void Recorder<D>::sample(double time, std::int64_t step, double dt) {
+    phases_.act("samples", [&] {
+        scheme_.refresh();
+        arrangement_ = scheme_.arrangement();
+        auto const& particles = scheme_.particles();
+        auto const sum = totals(particles);
+        std::vector<double> row{time, static_cast<double>(step), dt, static_cast<double>(particles.owned()), sum.mass,
+                                sum.volume};
+        auto const vector = [&](Vector<double, D> const& v) { row.insert(row.end(), v.c, v.c + D); };
+        vector(sum.momentum);
+        row.push_back(sum.angular_momentum[2]);
+        if (D == 3) row.insert(row.end(), {sum.angular_momentum[0], sum.angular_momentum[1]});
+        vector(sum.centre());
+        row.insert(row.end(), {sum.kinetic_energy, arrangement_.smallest_distance / case_.particles.spacing,
+                               static_cast<double>(scheme_.counters().singular_now)});
+        for (auto& probe : probes_) {
+            auto const values = probe->sample(time, particles);
+            row.insert(row.end(), values.begin(), values.end());
+        }
+        series_->row(row);
+    });
+}
+
+template <int D>
+void Recorder<D>::frame(double time) {
+    if (!case_.output.frames) return;
+    phases_.act("frames", [&] {
+        scheme_.refresh();
+        auto const& particles = scheme_.particles();
+        auto const view = particles.view();
+        Frame frame{time, std::vector<double>(3 * particles.owned()), particles.id, frame_fields(particles)};
+        for (std::size_t i = 0; i < particles.owned(); ++i)
+            for (int k = 0; k < D; ++k) frame.points[3 * i + k] = view.template at<Position>(k)[i];
+        auto const name = fmt::format("frames/{:06}.vtkhdf", frames_.size());
+        write_frame(directory_ / name, frame);
+        frames_.emplace_back(name, time);
+        write_frame_series(directory_, frames_);
+    });
+}
+
+template <int D>
+void Recorder<D>::summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds) {
+    auto const& counters = scheme_.counters();
+    auto const particles = scheme_.particles().owned();
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    auto const peak = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+
+    nlohmann::ordered_json json;
+    json["case"] = case_.name;
+    json["version"] = version;
+    json["commit"] = commit();
+    json["threads"] = threads();
+    json["precision"] = case_.method.precision;
+    json["particles"] = particles;
+    json["steps"] = steps;
+    json["evaluations"] = counters.evaluations;
+    json["neighbour_listings"] = counters.listings;
+    json["neighbours_mean"] = arrangement_.neighbours_mean;
+    json["singular_matrices"] = counters.singular_matrices;
+    json["wall_seconds"] = wall_seconds;
+    auto& seconds = json["seconds_per_phase"] = nlohmann::ordered_json::object();
+    double stepping = 0;
+    for (auto const& [name, time] : scheme_.phases().seconds()) {
+        seconds[name] = time;
+        stepping += time;
+    }
+    for (auto const& [name, time] : phases_.seconds()) seconds[name] = time;
+    json["particle_evaluations_per_second"] =
+        stepping > 0 ? static_cast<double>(counters.evaluations) * static_cast<double>(particles) / stepping : 0;
+    json["peak_rss_bytes"] = peak;
+    json["bytes_per_particle"] = static_cast<double>(peak) / static_cast<double>(particles);
+    json["status"] = status;
+    if (!message.empty()) json["message"] = message;
+    auto& measures = json["measures"] = nlohmann::ordered_json::object();
+    for (auto const& probe : probes_)
+        for (Measure const& m : probe->measures()) {
+            auto& entry = measures[m.name];
+            entry["value"] = m.value;
+            if (m.reference) entry["reference"] = *m.reference;
+            if (m.error) entry["error"] = *m.error;
+            if (!m.source.empty()) entry["source"] = m.source;
+        }
+    write_text(directory_ / "summary.json", json.dump(2) + "\n");
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace coronet

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Writes what a run leaves: the series, row by row, the frames, and at the end the summary (see docs/output.md).
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coronet/cases/probe.hpp"
+#include "coronet/io/table.hpp"
+#include "coronet/schemes/scheme.hpp"
+
+namespace coronet {
+
+template <int D>
+class Recorder {
+public:
+    Recorder(Case const& c, std::filesystem::path directory, Scheme<D>& scheme);
+
+    /// A row of the series. `step` counts from 0, `dt` is the last one taken.
+    void sample(double time, std::int64_t step, double dt);
+    void frame(double time);
+    /// summary.json. `status` is done, interrupted or failed; `message` says why.
+    void summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds);
+
+    Phases& phases() { return phases_; }
+
+private:
+    Case const& case_;
+    std::filesystem::path directory_;
+    Scheme<D>& scheme_;
+    std::vector<std::unique_ptr<Probe<D>>> probes_;
+    std::optional<Table> series_;
+    std::vector<std::pair<std::string, double>> frames_;
+    Arrangement arrangement_;
+    Phases phases_;
+};
+
+}  // namespace coronet

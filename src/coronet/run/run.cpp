@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/run/run.hpp"
+
+#include <chrono>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "coronet/cases/read.hpp"
+#include "coronet/cases/set_up.hpp"
+#include "coronet/core/error.hpp"
+#include "coronet/run/interrupt.hpp"
+#include "coronet/run/output_clock.hpp"
+#include "coronet/run/progress.hpp"
+#include "coronet/run/recorder.hpp"
+
+namespace coronet {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes the directory ready. Only what a run writes is ever removed from it.
+void prepare(fs::path const& directory, bool overwrite) {
+    bool const holds_run = fs::exists(directory / "case.toml") || fs::exists(directory / "series.csv");
+    if (holds_run && !overwrite)
+        throw CaseError(fmt::format("{} already holds a run: choose another --out, or give --overwrite to replace it",
+                                    directory.string()));
+    std::error_code failed;
+    for (char const* const name : {"case.toml", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
+        if (holds_run) fs::remove_all(directory / name, failed);
+    fs::create_directories(directory / "frames", failed);
+    if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
+}
+
+template <int D>
+RunStatus run(Case const& c, RunOptions const& options) {
+    auto const start = std::chrono::steady_clock::now();
+    auto const scheme = make_scheme<D>(c);
+    Recorder<D> recorder(c, options.directory, *scheme);
+    Progress progress(options.quiet, c.time.end, scheme->particles().owned());
+    OutputClock rows(c.output.series_every, c.time.end), frames(c.output.every, c.time.end);
+
+    double time = 0, dt = 0;
+    std::int64_t steps = 0;
+    auto const finish = [&](std::string const& status, std::string const& message) {
+        recorder.summary(status, message, steps,
+                         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    };
+    watch_for_interrupts();
+    try {
+        while (true) {
+            scheme->begin_step(time);  // before output, so that a frame has the rates of its own time
+            bool const last = time >= c.time.end || interrupted();
+            if (last || rows.due(time)) recorder.sample(time, steps, dt);
+            if (last || frames.due(time)) recorder.frame(time);
+            rows.done(time);
+            frames.done(time);
+            progress.show(time, steps, last);
+            if (last) break;
+
+            StepLimit const limit = scheme->time_limit();
+            double const wanted = c.time.step > 0 ? c.time.step : limit.step;
+            if (!(wanted > 1e-9 * std::numeric_limits<float>::epsilon() * c.time.end))
+                throw RunError(fmt::format("the stable time step fell to {:.3g} s because of {}", wanted, limit.reason));
+            double const due = std::min(rows.next(), frames.next());
+            dt = fit_step(wanted, due - time);
+            scheme->advance(time, dt);
+            time = dt == due - time ? due : time + dt;
+            ++steps;
+        }
+    } catch (RunError const& error) {
+        std::string const message =
+            fmt::format("the run failed at t = {:.6g} s, step {}: {}. {}; what was written is kept in {}", time, steps,
+                        error.what(),
+                        c.time.step > 0 ? "A smaller time.step, or 'auto', may help, or a larger fluid.viscosity or "
+                                          "method.artificial_viscosity"
+                                        : "A smaller time.courant may help, or a larger fluid.sound_speed or viscosity",
+                        options.directory.string());
+        finish("failed", message);
+        throw RunError(message);
+    }
+    bool const stopped = time < c.time.end;
+    finish(stopped ? "interrupted" : "done", "");
+    return stopped ? RunStatus::interrupted : RunStatus::done;
+}
+
+}  // namespace
+
+RunStatus run_case(Case const& c, RunOptions const& options) {
+    prepare(options.directory, options.overwrite);
+    write_text(options.directory / "case.toml", write_case(c));
+    return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);
+}
+
+}  // namespace coronet

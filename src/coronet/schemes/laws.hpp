@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per sweep.
+// Each costs a pair loop per dimension to compile; a test holds their number to a budget.
+
+#include "coronet/schemes/pair_terms.hpp"
+#include "coronet/terms/exterior_mark.hpp"
+#include "coronet/terms/moments.hpp"
+#include "coronet/terms/stress_divergence.hpp"
+#include "coronet/terms/velocity_gradient.hpp"
+
+namespace coronet {
+
+using PlainGradients = Sum<VelocitySlopes>;
+using CorrectedGradients = Sum<Moments, VelocitySlopes, VelocityJumps>;
+using PlainForces = Sum<StressDivergence>;
+using CorrectedForces = Sum<CorrectedStressDivergence>;
+using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;
+using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, PairTerms>;
+
+/// Whether any of the case's pair terms does something: a term may say active() = false, without coefficients set.
+template <class... Terms>
+bool any_active(Sum<Terms...> const& sum) {
+    [[maybe_unused]] auto const active = []<class T>(T const& term) {
+        if constexpr (requires { term.active(); }) return term.active();
+        return true;
+    };
+    return (active(static_cast<Terms const&>(sum)) || ...);
+}
+
+}  // namespace coronet

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/schemes/weakly_compressible.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "coronet/pairs/sweep.hpp"
+#include "coronet/schemes/laws.hpp"
+#include "coronet/schemes/stress_close.hpp"
+
+namespace coronet {
+
+template <int D>
+WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D> particles)
+    : settings_(settings), particles_(std::move(particles)), neighbours_(settings.kernel.support, settings.skin) {
+    particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Stress, Acceleration,
+                               DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
+    if (settings_.gradient != Gradient::sph) particles_.allocate(Fields<CorrectedStress, StressOffset, FellBack>{});
+    if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
+    update_state();
+}
+
+template <int D>
+void WeaklyCompressible<D>::begin_step(double time) {
+    evaluate(time);
+}
+
+template <int D>
+void WeaklyCompressible<D>::advance(double time, double step) {
+    auto const view = particles_.view();
+    phases_.act("predict", [&] {
+        for_each(particles_.owned(), [&](std::size_t i) {
+            auto const x = view.template get<Position>(i);
+            auto const v = view.template get<Velocity>(i);
+            double const rho = view.template get<Density>(i);
+            view.template set<PositionBefore>(i, x);
+            view.template set<VelocityBefore>(i, v);
+            view.template set<DensityBefore>(i, rho);
+            view.template set<Position>(i, x + 0.5 * step * v);
+            view.template set<Velocity>(i, v + 0.5 * step * view.template get<Acceleration>(i));
+            view.template set<Density>(i, rho + 0.5 * step * view.template get<DensityRate>(i));
+        });
+    });
+    evaluate(time + 0.5 * step);
+    phases_.act("correct", [&] {
+        bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
+        for_each(particles_.owned(), [&](std::size_t i) {
+            auto const v0 = view.template get<VelocityBefore>(i);
+            auto const v = v0 + step * view.template get<Acceleration>(i);
+            auto const drift = mean ? 0.5 * (v0 + v) : view.template get<Velocity>(i);
+            view.template set<Position>(i, view.template get<PositionBefore>(i) + step * drift);
+            view.template set<Velocity>(i, v);
+            view.template set<Density>(i, view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
+        });
+    });
+}
+
+template <int D>
+void WeaklyCompressible<D>::evaluate(double time) {
+    phases_.act("neighbours", [&] { update_neighbours(); });
+    phases_.act("state", [&] { update_state(); });
+    phases_.act("gradients", [&] { gradients_and_stress(); });
+    phases_.act("forces", [&] { forces(); });
+    if (settings_.body_force)
+        phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), particles_.owned()); });
+    ++counters_.evaluations;
+}
+
+template <int D>
+void WeaklyCompressible<D>::update_neighbours() {
+    if (!neighbours_.update(particles_)) return;
+    ++counters_.listings;
+    if (settings_.gradient == Gradient::cph) mark_exterior();
+}
+
+/// The mark holds until the next listing: meanwhile no pair comes nearer or parts by more than the skin.
+template <int D>
+void WeaklyCompressible<D>::mark_exterior() {
+    sweep(particles_, neighbours_, settings_.kernel, Sum{ExteriorMark{}});
+    auto const surface = particles_.template get<Surface>();
+    auto const exterior = particles_.template get<Exterior>();
+    for_each(particles_.owned(), [&](std::size_t i) { exterior[i] = exterior[i] + surface[i] > 0; });
+    exterior_ = neighbours_.targets([&](std::size_t i) { return exterior[i] > 0; });
+    interior_ = neighbours_.targets([&](std::size_t i) { return !(exterior[i] > 0); });
+}
+
+template <int D>
+void WeaklyCompressible<D>::update_state() {
+    auto const view = particles_.view();
+    EquationOfState const eos = settings_.equation_of_state;
+    for_each(particles_.size(), [&](std::size_t i) {
+        double const rho = view.template at<Density>()[i];
+        view.template at<Pressure>()[i] = eos.pressure(rho);
+        view.template at<SoundSpeed>()[i] = eos.sound_speed(rho);
+        view.template at<Volume>()[i] = view.template at<Mass>()[i] / rho;
+    });
+}
+
+template <int D>
+void WeaklyCompressible<D>::gradients_and_stress() {
+    auto const view = particles_.view();
+    auto const& kernel = settings_.kernel;
+    CorrectedClose<D> const corrected{view, settings_.liquid, kernel.at_zero()};
+    switch (settings_.gradient) {
+        case Gradient::sph:
+            sweep(particles_, neighbours_, neighbours_.all(), kernel, PlainGradients{},
+                  PlainClose<D>{view, settings_.liquid});
+            return;
+        case Gradient::fpm:
+            sweep(particles_, neighbours_, neighbours_.all(), kernel, CorrectedGradients{}, corrected);
+            break;
+        case Gradient::cph:
+            sweep(particles_, neighbours_, interior_, kernel, PlainGradients{},
+                  InteriorClose<D>{view, settings_.liquid});
+            sweep(particles_, neighbours_, exterior_, kernel, CorrectedGradients{}, corrected);
+            break;
+    }
+    counters_.singular_now = static_cast<std::int64_t>(sum_over(
+        particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+    counters_.singular_matrices += counters_.singular_now;
+}
+
+template <int D>
+void WeaklyCompressible<D>::forces() {
+    auto const view = particles_.view();
+    auto const g = settings_.gravity;
+    auto const forces_of = [&](auto const& law) {
+        sweep(particles_, neighbours_, neighbours_.all(), settings_.kernel, law,
+              [=](std::size_t i, auto const& sums) { view.template set<Acceleration>(i, sums.dv + g); });
+    };
+    bool const plain = settings_.gradient == Gradient::sph;
+    if (any_active(settings_.pair_terms)) {
+        if (plain) forces_of(PlainForcesAndPairTerms{{}, settings_.pair_terms});
+        else forces_of(CorrectedForcesAndPairTerms{{}, settings_.pair_terms});
+    } else {
+        if (plain) forces_of(PlainForces{});
+        else forces_of(CorrectedForces{});
+    }
+}
+
+template <int D>
+StepLimit WeaklyCompressible<D>::time_limit() const {
+    auto const view = particles_.view();
+    std::size_t const n = particles_.owned();
+    double const h = settings_.kernel.support / 3;
+    double const c = max_over(n, 0.0, [&](std::size_t i) { return view.template at<SoundSpeed>()[i]; });
+    double const a2 = max_over(n, 0.0, [&](std::size_t i) { return norm2(view.template get<Acceleration>(i)); });
+    double const nu = settings_.liquid.viscosity / settings_.equation_of_state.rho0;
+    constexpr double never = std::numeric_limits<double>::infinity();
+
+    // Fang et al. (2009) Eqs 90, 91, 92 with safe factors: c is the speed of sound, a the largest force per mass.
+    StepLimit limit{settings_.courant * h / c, "sound"};
+    auto const vote = [&](double step, std::string_view reason) {
+        if (step < limit.step) limit = {step, reason};
+    };
+    vote(a2 > 0 ? 0.25 * std::sqrt(h / std::sqrt(a2)) : never, "force");
+    vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
+    return limit;
+}
+
+template <int D>
+void WeaklyCompressible<D>::refresh() {
+    update_state();
+}
+
+template <int D>
+Arrangement WeaklyCompressible<D>::arrangement() {
+    update_neighbours();
+    auto const view = particles_.view();
+    double const H2 = neighbours_.support() * neighbours_.support();
+    struct Seen {
+        double pairs, nearest2;
+    };
+    auto const seen = fold(
+        particles_.owned(), Seen{0, std::numeric_limits<double>::infinity()},
+        [&](std::size_t i) {
+            Seen row{0, std::numeric_limits<double>::infinity()};
+            auto const x = view.template get<Position>(i);
+            for (Index j : neighbours_.row(i)) {
+                double const r2 = norm2(x - view.template get<Position>(static_cast<std::size_t>(j)));
+                row.pairs += r2 < H2;
+                row.nearest2 = std::min(row.nearest2, r2);
+            }
+            return row;
+        },
+        [](Seen const& a, Seen const& b) { return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)}; });
+    return {seen.pairs / static_cast<double>(particles_.owned()), std::sqrt(seen.nearest2)};
+}
+
+template class WeaklyCompressible<2>;
+template class WeaklyCompressible<3>;
+
+}  // namespace coronet

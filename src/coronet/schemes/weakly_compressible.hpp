@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The weakly compressible scheme of Fang, Parriaux, Rentschler and Ancey, Appl. Numer. Math. 59 (2009) 251:
+//     drho/dt = -rho div v        (60)
+//     dv/dt   = (1/rho) div sigma (61), the dual of (60), plus gravity, body force and the case's pair terms
+//     p       = p(rho),  sigma = -p I + 2 eta d  (8, 5, 6, 62)
+// with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
+// In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the half.
+
+#include <functional>
+
+#include "coronet/kernels/kernel.hpp"
+#include "coronet/materials/equation_of_state.hpp"
+#include "coronet/materials/newtonian.hpp"
+#include "coronet/neighbours/neighbours.hpp"
+#include "coronet/schemes/pair_terms.hpp"
+#include "coronet/schemes/scheme.hpp"
+
+namespace coronet {
+
+enum class Gradient { sph, cph, fpm };
+
+/// How the corrector moves the particles over a whole step.
+enum class PositionUpdate {
+    mean_velocity,     ///< by the mean of old and new velocity: conserves angular momentum to round-off
+    midpoint_velocity  ///< by the predicted velocity, as printed in the paper: conserves it to the square of the step
+};
+
+template <int D>
+class WeaklyCompressible final : public Scheme<D> {
+public:
+    struct Settings {
+        Kernel kernel;
+        double skin = 0;  ///< [m]
+        Gradient gradient = Gradient::fpm;
+        PositionUpdate position_update = PositionUpdate::mean_velocity;
+        double courant = 0.25;  ///< safe factor on h/c
+        EquationOfState equation_of_state;
+        Newtonian liquid;
+        PairTerms pair_terms;
+        Vector<double, D> gravity = {};  ///< [m/s^2]
+        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
+        std::function<void(double, View<D> const&, std::size_t count)> body_force;
+    };
+
+    /// Takes particles with Position, Velocity, Density, Mass (and Surface for cph) set.
+    WeaklyCompressible(Settings const& settings, Particles<D> particles);
+
+    void begin_step(double time) override;
+    StepLimit time_limit() const override;
+    void advance(double time, double step) override;
+    void refresh() override;
+    Arrangement arrangement() override;
+
+    Particles<D> const& particles() const override { return particles_; }
+    Counters const& counters() const override { return counters_; }
+    Phases& phases() override { return phases_; }
+    std::size_t bytes() const override { return neighbours_.bytes(); }
+
+    /// The rates of change of velocity and density for the state as it is.
+    void evaluate(double time);
+
+private:
+    void update_neighbours();
+    void mark_exterior();
+    void update_state();
+    void gradients_and_stress();
+    void forces();
+
+    Settings settings_;
+    Particles<D> particles_;
+    Neighbours<D> neighbours_;
+    Targets interior_, exterior_;
+    Counters counters_;
+    Phases phases_;
+};
+
+}  // namespace coronet

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The finite particle method's gradient (Fang et al. 2009, Eqs 36-38) with its (D+1) x (D+1) matrix
+//     ( W0  W1^T )     W0 = sum V W,       W1 = sum V (x_j - x_i) W
+//     ( G0  G1   )     G0 = sum V grad W,  G1 = sum V grad W (x_j - x_i)^T
+// eliminated by hand: with S = G1 - G0 W1^T / W0 (D x D), L = S^-1 and q = L G0 / W0, the corrected kernel gradient is
+//     grad W~_ij = L grad W_ij - q W_ij,
+// exact for linear functions on any arrangement of particles. The plain SPH gradient is L = I, q = 0.
+//
+// Where the neighbours do not span the space (a lone particle, a row of them) S is singular. If the condition number
+// |S| |S^-1| / D (Frobenius norms) exceeds `worst_condition`, or S is not invertible at all, the particle falls back to the
+// plain gradient, which always exists, and says so: schemes count such particles.
+
+#include "coronet/core/tensor.hpp"
+
+namespace coronet {
+
+inline constexpr double worst_condition = 1e3;
+
+template <int D>
+struct GradientCorrection {
+    Matrix<double, D> L = identity<double, D>();
+    Vector<double, D> q = {};
+    bool fell_back = false;
+
+    GradientCorrection() = default;
+
+    CORONET_HD GradientCorrection(double W0, Vector<double, D> const& W1, Vector<double, D> const& G0,
+                                  Symmetric<double, D> const& G1) {
+        Matrix<double, D> S;
+        for (int a = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b) S(a, b) = G1(a, b) - G0[a] * W1[b] / W0;
+        auto const cofactors = adjugate(S);
+        double const det = determinant(S);
+        // |S| |adj S| = D * condition * |det S|: no division before it is known to be safe. A NaN falls back, too.
+        fell_back = !(norm(S) * norm(cofactors) < worst_condition * D * std::fabs(det));
+        if (fell_back) return;
+        L = (1 / det) * cofactors;
+        q = L * ((1 / W0) * G0);
+    }
+
+    /// Gradient of a vector field from sum V (v_j - v_i) grad W and sum V (v_j - v_i) W: grad_v(a, b) = dv_a/dx_b.
+    CORONET_HD Matrix<double, D> gradient(Matrix<double, D> const& slope, Vector<double, D> const& jump) const {
+        return product<double, D>(slope, transpose(L)) - outer(jump, q);
+    }
+
+    /// Gradient of a scalar field from sum V (f_j - f_i) grad W and sum V (f_j - f_i) W.
+    CORONET_HD Vector<double, D> gradient(Vector<double, D> const& slope, double jump) const {
+        return L * slope - jump * q;
+    }
+};
+
+}  // namespace coronet
