@@ -4,6 +4,9 @@
 // The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per sweep.
 // Each costs a pair loop per dimension to compile; a test holds their number to a budget.
 
+#include <algorithm>
+#include <limits>
+
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/terms/exterior_mark.hpp"
 #include "coronet/terms/moments.hpp"
@@ -27,6 +30,18 @@ bool any_active(Sum<Terms...> const& sum) {
         return true;
     };
     return (active(static_cast<Terms const&>(sum)) || ...);
+}
+
+/// The longest step the case's pair terms allow: a term may say step_limit(h, c), in s, for smoothing length h [m] and
+/// sound speed c [m/s]; infinity where none does.
+template <class... Terms>
+double step_limit(Sum<Terms...> const& sum, double h, double c) {
+    double step = std::numeric_limits<double>::infinity();
+    [[maybe_unused]] auto const vote = [&]<class T>(T const& term) {
+        if constexpr (requires { term.step_limit(h, c); }) step = std::min(step, term.step_limit(h, c));
+    };
+    (vote(static_cast<Terms const&>(sum)), ...);
+    return step;
 }
 
 }  // namespace coronet

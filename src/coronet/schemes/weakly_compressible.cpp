@@ -154,6 +154,7 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
         if (step < limit.step) limit = {step, reason};
     };
     vote(a2 > 0 ? 0.25 * std::sqrt(h / std::sqrt(a2)) : never, "force");
+    vote(step_limit(settings_.pair_terms, h, c), "pair terms");
     vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
     return limit;
 }
