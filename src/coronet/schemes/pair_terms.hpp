@@ -5,9 +5,10 @@
 // describes them as keys of the case (see CONTRIBUTING.md); the schema and the schemes take everything else from this list.
 
 #include "coronet/pairs/law.hpp"
+#include "coronet/terms/artificial_viscosity.hpp"
 
 namespace coronet {
 
-using PairTerms = Sum<>;
+using PairTerms = Sum<ArtificialViscosity>;
 
 }  // namespace coronet

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/terms/artificial_viscosity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/terms/random_pair.hpp"
+
+namespace coronet {
+
+constexpr ArtificialViscosity viscosity{.alpha = 0.3, .beta = 0.7};
+
+TEST(ArtificialViscosity, IsEqualAndOpposite) {
+    for (auto const& ij : random_pairs<3, ArtificialViscosity>(1000)) {
+        auto const ji = swapped(ij);
+        for (int k = 0; k < 3; ++k) {
+            double const on_i = ij.i.m * viscosity(ij).dv[k], on_j = ji.i.m * viscosity(ji).dv[k];
+            EXPECT_NEAR(on_i, -on_j, 8e-16 * std::fabs(on_i));
+        }
+    }
+}
+
+TEST(ArtificialViscosity, PointsAlongThePairSoItHasNoTorque) {
+    for (auto const& ij : random_pairs<2, ArtificialViscosity>(1000)) {
+        auto const dv = viscosity(ij).dv;
+        EXPECT_NEAR(ij.x[0] * dv[1] - ij.x[1] * dv[0], 0, 8e-16 * std::sqrt(norm2(ij.x) * norm2(dv)));
+    }
+}
+
+TEST(ArtificialViscosity, TakesEnergyFromApproachAndNoneFromParting) {
+    int approaching = 0;
+    for (auto const& ij : random_pairs<2, ArtificialViscosity>(1000)) {
+        double const power = ij.i.m * dot(viscosity(ij).dv, ij.i.v - ij.j.v);
+        if (dot(ij.i.v - ij.j.v, ij.x) < 0) {
+            EXPECT_LT(power, 0);
+            ++approaching;
+        } else {
+            EXPECT_EQ(power, 0);
+        }
+    }
+    EXPECT_GT(approaching, 300);
+    EXPECT_LT(approaching, 700);
+}
+
+TEST(ArtificialViscosity, HasTheValueOfThePaperForOnePair) {
+    auto ij = random_pairs<2, ArtificialViscosity>(1).front();
+    ij.i.c = 10, ij.j.c = 20, ij.i.rho = 900, ij.j.rho = 1100, ij.j.m = 2;
+    ij.x = {{3, 4}}, ij.r2 = 25, ij.h = 10;
+    ij.i.v = {{-1, 0}}, ij.j.v = {{0, 0}};
+    ij.gradW = {{-6, -8}};
+    double const phi = 10 * -3.0 / (25 + 0.01 * 100), Pi = (-0.3 * 15 * phi + 0.7 * phi * phi) / 1000;
+    EXPECT_DOUBLE_EQ(viscosity(ij).dv[0], -2 * Pi * -6);
+    EXPECT_DOUBLE_EQ(viscosity(ij).dv[1], -2 * Pi * -8);
+}
+
+}  // namespace coronet
