@@ -3,13 +3,16 @@
 // The program: its commands, its messages and its exit status (0 done, 2 wrong case or command line, 3 failed run,
 // 130 interrupted).
 
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "coronet/app/plot.hpp"
 #include "coronet/cases/builtin.hpp"
+#include "coronet/cases/nearest.hpp"
 #include "coronet/cases/read.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
@@ -75,6 +78,13 @@ int start(int argc, char** argv) {
     plot_command->add_option("DIR", directory, "the directory of a run")->required();
     plot_command->add_option("--with", with, "other runs of the same case to draw beside it");
 
+    std::vector<std::string> commands;
+    for (auto* command : app.get_subcommands([](CLI::App*) { return true; })) commands.push_back(command->get_name());
+    if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+        std::string const near = nearest(argv[1], commands);
+        throw CaseError(fmt::format("there is no command '{}'{}; there are {}", argv[1],
+                                    near.empty() ? "" : " (did you mean " + near + "?)", fmt::join(commands, ", ")));
+    }
     try {
         app.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

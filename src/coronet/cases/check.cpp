@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/cases/check.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "coronet/cases/fill.hpp"
+#include "coronet/cases/formula.hpp"
+#include "coronet/cases/probe.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
 
@@ -14,26 +19,77 @@ namespace coronet {
 
 namespace {
 
-constexpr double most_particles = 5e8;
+using Errors = std::vector<std::string>;
+
+constexpr double most_particles = 5e8, most_frames = 1e6, most_rows = 1e8, most_steps = 1e10;
+
+void check_names(Case const& c, Errors& errors) {
+    auto const plain = [](std::string const& name, std::string const& others) {
+        return !name.empty() && std::all_of(name.begin(), name.end(), [&](char letter) {
+            return std::isalnum(static_cast<unsigned char>(letter)) || others.find(letter) != std::string::npos;
+        });
+    };
+    if (!plain(c.name, "-_.") || c.name.front() == '.')
+        errors.push_back(fmt::format("name = '{}' cannot name a directory: use letters, digits, -, _ and .", c.name));
+    for (std::size_t k = 0; k < c.probes.size(); ++k)
+        if (c.probes[k].kind == "value" && !plain(c.probes[k].name, "_"))
+            errors.push_back(fmt::format("probes.{}.name = '{}' cannot name a column: use letters, digits and _", k,
+                                         c.probes[k].name));
+}
 
 template <int D>
-void check(Case const& c, std::vector<std::string>& errors) {
+void check_shapes(Case const& c, Errors& errors) {
+    double const dx = c.particles.spacing;
+    for (std::size_t k = 0; k < c.shapes.size(); ++k) {
+        for (Cut const& cut : c.shapes[k].cuts)
+            if (std::all_of(cut.normal.begin(), cut.normal.end(), [](double n) { return n == 0; }))
+                errors.push_back(fmt::format("shapes.{}.cuts has a normal of length zero: it cuts nowhere", k));
+        for (double const x : c.shapes[k].centre)
+            if (std::fabs(x) > 1e9 * dx)
+                errors.push_back(fmt::format("shapes.{}.centre = [{}] is more than 1e9 spacings from x = 0: round-off would "
+                                             "show; move the case to x = 0",
+                                             k, fmt::join(c.shapes[k].centre, ", ")));
+    }
     double const expected = expected_particles<D>(c);
-    if (!(expected < most_particles)) {
+    if (!(expected < most_particles))
         errors.push_back(fmt::format("particles.spacing = {} m would make about {:.1e} particles; at most {:.0e} are allowed: "
                                      "use a spacing above {:.2g} m",
-                                     c.particles.spacing, expected, most_particles,
-                                     c.particles.spacing * std::pow(expected / most_particles, 1.0 / D)));
-        return;
-    }
-    for (std::size_t k = 0; k < c.shapes.size(); ++k)
-        for (Cut const& cut : c.shapes[k].cuts) {
-            double length = 0;
-            for (double const n : cut.normal) length += n * n;
-            if (length == 0) errors.push_back(fmt::format("shapes.{}.cuts has a normal of length zero: it cuts nowhere", k));
-        }
-    if (!errors.empty()) return;
+                                     dx, expected, most_particles, dx * std::pow(expected / most_particles, 1.0 / D)));
+}
 
+template <int D>
+void check_probes(Case const& c, Errors& errors) {
+    auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, D>{}, 0); };
+    for (std::size_t k = 0; k < c.probes.size(); ++k) {
+        ProbeKeys const& probe = c.probes[k];
+        double sum = 0, largest = 0;
+        for (std::string const& rate : probe.rates) {
+            sum += value(rate);
+            largest = std::max(largest, std::fabs(value(rate)));
+        }
+        if (!(std::fabs(sum) <= 1e-9 * largest))
+            errors.push_back(fmt::format("probes.{}.rates = [{}] add up to {:.4g} 1/s: the exact drop keeps its volume, so the "
+                                         "sum must be 0",
+                                         k, fmt::join(probe.rates, ", "), sum));
+        for (std::string const& axis : probe.semi_axes)
+            if (!(value(axis) > 0 && std::isfinite(value(axis))))
+                errors.push_back(fmt::format("probes.{}.semi_axes = [{}] must be finite and above 0 m", k,
+                                             fmt::join(probe.semi_axes, ", ")));
+        if (probe.kind == "patch" && !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
+            errors.push_back(fmt::format("probes.{}.side = {} must be finite and above 0 m", k, probe.side));
+        if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
+            errors.push_back(fmt::format("probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity));
+    }
+    if (!errors.empty()) return;
+    std::set<std::string> columns;
+    for (auto const& probe : make_probes<D>(c))
+        for (std::string const& column : probe->columns())
+            if (!columns.insert(column).second)
+                errors.push_back(fmt::format("two probes write the column '{}' of the series: leave one away", column));
+}
+
+template <int D>
+void check_initial_state(Case const& c, Errors& errors) {
     auto const seeds = fill<D>(c);
     if (seeds.size() == 0) {
         errors.push_back(fmt::format("the shapes hold no particle at particles.spacing = {} m: use a smaller spacing",
@@ -53,20 +109,53 @@ void check(Case const& c, std::vector<std::string>& errors) {
         errors.push_back(fmt::format("initial.pressure = {} leaves no positive finite density at every particle with "
                                      "fluid.sound_speed = {} m/s: use a larger sound speed",
                                      c.initial.pressure, c.fluid.sound_speed));
-    double const h = c.method.support * c.particles.spacing / 3;
-    if (c.time.step > h / c.fluid.sound_speed)
-        errors.push_back(fmt::format("time.step = {} s is beyond the largest stable step, h/c = {:.3g} s (h, a third of the "
+    for (std::string const& text : c.fluid.body_force) {
+        Formula force(text, c.parameters);
+        if (!std::all_of(seeds.position.begin(), seeds.position.end(), [&](auto const& x) { return std::isfinite(force(x, 0)); }))
+            errors.push_back(fmt::format("fluid.body_force: {} is not finite at every particle at t = 0", text));
+    }
+}
+
+void check_times(Case const& c, Errors& errors) {
+    double const h = c.method.support * c.particles.spacing / 3, sound = h / c.fluid.sound_speed;
+    double const viscous = h * h * c.fluid.density / c.fluid.viscosity;  // infinite without viscosity
+    if (c.time.step > std::min(sound, viscous)) {
+        bool const by_sound = sound < viscous;
+        double const limit = by_sound ? sound : viscous;
+        errors.push_back(fmt::format("time.step = {} s is beyond the largest stable step, {} = {:.3g} s (h, a third of the "
                                      "kernel's radius, is {:.3g} m): use 'auto' or at most {:.3g} s",
-                                     c.time.step, h / c.fluid.sound_speed, h, 0.25 * h / c.fluid.sound_speed));
-    if (c.output.every > c.time.end || c.output.series_every > c.time.end)
-        errors.push_back(fmt::format("output.every = {} s and output.series_every = {} s must not exceed time.end = {} s",
-                                     c.output.every, c.output.series_every, c.time.end));
+                                     c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit));
+    }
+    double const steps = c.time.step > 0 ? c.time.end / c.time.step : c.time.end / sound;
+    if (steps > most_steps)
+        errors.push_back(fmt::format("time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed", c.time.end,
+                                     steps, c.time.end / steps, most_steps));
+    auto const check_interval = [&](std::string const& key, double every, double most, std::string const& things) {
+        if (every > c.time.end)
+            errors.push_back(fmt::format("{} = {} s must not exceed time.end = {} s", key, every, c.time.end));
+        if (c.time.end / every > most)
+            errors.push_back(fmt::format("{} = {} s would write {:.1e} {}; at most {:.0e} are allowed: use {:.2g} s or more", key,
+                                         every, c.time.end / every, things, most, c.time.end / most));
+    };
+    if (c.output.frames) check_interval("output.every", c.output.every, most_frames, "frames");
+    check_interval("output.series_every", c.output.series_every, most_rows, "rows");
+}
+
+template <int D>
+void check(Case const& c, Errors& errors) {
+    check_names(c, errors);
+    check_times(c, errors);
+    check_probes<D>(c, errors);
+    Errors impossible;  // to fill with particles
+    check_shapes<D>(c, impossible);
+    errors.insert(errors.end(), impossible.begin(), impossible.end());
+    if (impossible.empty()) check_initial_state<D>(c, errors);
 }
 
 }  // namespace
 
 void check_physics(Case const& c, std::string const& file) {
-    std::vector<std::string> errors;
+    Errors errors;
     if (c.dimension == 2) check<2>(c, errors);
     else check<3>(c, errors);
     if (errors.empty()) return;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "coronet/cases/shapes.hpp"
 
@@ -67,7 +66,12 @@ template <int D>
 double expected_particles(Case const& c) {
     double const cell = lattice<D>(c.particles.lattice).cell * std::pow(c.particles.spacing, D);
     double count = 0;
-    for (Shape const& shape : c.shapes) count += std::pow(2 * reach(shape), D) / cell;
+    for (Shape const& shape : c.shapes) {
+        auto const half = half_extents<D>(shape);
+        double box = 1;
+        for (int k = 0; k < D; ++k) box *= 2 * half[k];
+        count += box / cell;
+    }
     return count;
 }
 
@@ -85,46 +89,48 @@ Seeds<D> fill(Case const& c) {
         return std::any_of(c.shapes.begin(), c.shapes.end(), [&](Shape const& s) { return holds(s, x, slack); });
     };
 
-    // The lattice indices around every shape: those of a ball are bounded by its radius times the rows of the inverse basis.
+    Seeds<D> seeds;
+    seeds.volume = l.cell * std::pow(dx, D);
+    auto const lay = [&](std::array<int, D> const& n, Vector<double, D> x) {
+        bool const surface = std::any_of(l.nearest.begin(), l.nearest.end(), [&](std::array<int, D> const& step) {
+            auto beside = n;
+            for (int k = 0; k < D; ++k) beside[k] += step[k];
+            return !inside(place(beside));
+        });
+        for (int k = 0; k < D; ++k)
+            x[k] += c.particles.jitter * dx *
+                    (2 * random(static_cast<std::uint64_t>(c.particles.seed), seeds.size(), static_cast<std::uint64_t>(k)) - 1);
+        seeds.position.push_back(x);
+        seeds.surface.push_back(surface);
+    };
+
+    // Shape after shape; a point that an earlier shape holds, too, has its particle already.
     auto const inverse = (1 / determinant(l.basis)) * adjugate(l.basis);
-    std::array<int, D> low, high;
-    low.fill(std::numeric_limits<int>::max());
-    high.fill(std::numeric_limits<int>::min());
     for (Shape const& shape : c.shapes) {
         Vector<double, D> centre;
         for (int k = 0; k < D; ++k) centre[k] = shape.centre[k];
         auto const middle = inverse * turned((1 / dx) * centre, -c.particles.rotation);
+        std::array<int, D> low, high;
         for (int k = 0; k < D; ++k) {
-            double row = 0;
-            for (int m = 0; m < D; ++m) row += inverse(k, m) * inverse(k, m);
-            double const half = reach(shape) / dx * std::sqrt(row) + 2;
-            low[k] = std::min(low[k], static_cast<int>(std::floor(middle[k] - half)));
-            high[k] = std::max(high[k], static_cast<int>(std::ceil(middle[k] + half)));
+            Vector<double, D> row;  // of the inverse basis: the direction in which the lattice index k grows
+            for (int m = 0; m < D; ++m) row[m] = inverse(k, m);
+            double const half = extent(shape, turned(row, c.particles.rotation - shape.rotation)) / dx + 2;
+            low[k] = static_cast<int>(std::floor(middle[k] - half));
+            high[k] = static_cast<int>(std::ceil(middle[k] + half));
         }
-    }
-
-    Seeds<D> seeds;
-    seeds.volume = l.cell * std::pow(dx, D);
-    std::array<int, D> n = low;
-    for (bool more = true; more;) {
-        auto const x = place(n);
-        if (inside(x)) {
-            bool const surface = std::any_of(l.nearest.begin(), l.nearest.end(), [&](std::array<int, D> const& step) {
-                auto beside = n;
-                for (int k = 0; k < D; ++k) beside[k] += step[k];
-                return !inside(place(beside));
-            });
-            auto moved = x;
-            for (int k = 0; k < D; ++k)
-                moved[k] += c.particles.jitter * dx *
-                            (2 * random(static_cast<std::uint64_t>(c.particles.seed), seeds.size(), static_cast<std::uint64_t>(k)) - 1);
-            seeds.position.push_back(moved);
-            seeds.surface.push_back(surface);
-        }
-        more = false;
-        for (int k = 0; k < D && !more; ++k) {
-            more = ++n[k] <= high[k];
-            if (!more) n[k] = low[k];
+        auto const new_here = [&](Vector<double, D> const& x) {
+            return holds(shape, x, slack) && std::none_of(c.shapes.data(), &shape, [&](Shape const& earlier) {
+                       return holds(earlier, x, slack);
+                   });
+        };
+        std::array<int, D> n = low;
+        for (bool more = true; more;) {
+            if (auto const x = place(n); new_here(x)) lay(n, x);
+            more = false;
+            for (int k = 0; k < D && !more; ++k) {
+                more = ++n[k] <= high[k];
+                if (!more) n[k] = low[k];
+            }
         }
     }
     return seeds;

@@ -23,10 +23,10 @@ inline std::size_t edit_distance(std::string const& a, std::string const& b) {
     return d[a.size()][b.size()];
 }
 
-/// The word nearest to `word`, or "" if none is near: at most a third of the letters may differ.
+/// The word nearest to `word`, or "" if none is near: about a third of the letters may differ.
 inline std::string nearest(std::string const& word, std::vector<std::string> const& words) {
     std::string best;
-    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::size_t least = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
     for (std::string const& candidate : words) {
         std::size_t const d = edit_distance(word, candidate);
         if (d < least) {

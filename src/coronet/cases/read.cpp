@@ -30,7 +30,7 @@ std::vector<std::string> split(std::string const& path) {
 }
 
 bool is_number(std::string const& text) {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 toml::node* child(toml::node* node, std::string const& part) {
@@ -39,15 +39,29 @@ toml::node* child(toml::node* node, std::string const& part) {
     return nullptr;
 }
 
-std::string found(toml::node const& node) {
+/// As the user wrote it, as far as that is known: a float keeps its point.
+std::string as_written(toml::node const& node) {
+    if (auto const* array = node.as_array()) {
+        std::vector<std::string> items;
+        for (toml::node const& item : *array) items.push_back(as_written(item));
+        return fmt::format("[{}]", fmt::join(items, ", "));
+    }
+    if (auto const* number = node.as_floating_point()) {
+        std::string const text = fmt::format("{}", number->get());
+        return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+    }
     std::ostringstream text;
     node.visit([&](auto const& value) {
         if constexpr (toml::is_table<decltype(value)>) text << "a table";
-        else if constexpr (toml::is_string<decltype(value)>) text << "the string '" << value.get() << "'";
+        else if constexpr (toml::is_string<decltype(value)>) text << "'" << value.get() << "'";
         else text << value;
     });
     return text.str();
 }
+
+std::string found(toml::node const& node) { return (node.is_string() ? "the string " : "") + as_written(node); }
+
+std::string section_of(std::string const& path) { return path.substr(0, path.rfind('.')); }
 
 /// Reads keys from a TOML table, remembers which it was asked for, and collects what is wrong.
 class Reader final : public Keys {
@@ -64,7 +78,7 @@ public:
         auto const whole = node->value_exact<std::int64_t>();
         if (!whole || *whole < -2147483647 || *whole > 2147483647)
             return wrong(key, *node, "must be a whole number" + range(key));
-        if (check_range(key, *node, static_cast<double>(*whole))) value = static_cast<int>(*whole);
+        if (check_range(key, *node, static_cast<double>(*whole), "whole")) value = static_cast<int>(*whole);
     }
     void text(Key const& key, std::string& value) override {
         auto* node = want(key);
@@ -80,6 +94,7 @@ public:
             value = *word;
             return;
         }
+        if (key.path.ends_with(".kind")) of_unknown_kind_.insert(section_of(key.path));
         std::string const near = word ? nearest(*word, allowed) : "";
         wrong(key, *node,
               fmt::format("must be one of {}{}", fmt::join(allowed, ", "), near.empty() ? "" : "; did you mean '" + near + "'?"));
@@ -146,7 +161,7 @@ public:
         auto* node = want(key);
         if (!node) return;
         auto* array = node->as_array();
-        if (!array || !array->is_array_of_tables())
+        if (!array || (!array->empty() && !array->is_array_of_tables()) || (array->empty() && key.required))
             return wrong(key, *node, fmt::format("must be a list of tables, each begun by [[{}]]", key.path));
         resize(array->size());
         for (std::size_t k = 0; k < array->size(); ++k) {
@@ -170,7 +185,7 @@ private:
             node = child(node, part);
             if (!node) break;
         }
-        if (!node && key.required)
+        if (!node && key.required && !of_unknown_kind_.contains(section_of(key.path)))
             errors_.push_back(fmt::format("{}: {} is missing: {}{}", file_, key.path, key.meaning, unit(key)));
         return node;
     }
@@ -190,14 +205,16 @@ private:
         errors_.push_back(fmt::format("{}: {} is {}, but {}", place(key.path, node), key.path, found(node), right));
     }
     std::string place(std::string const& path, toml::node const& node) const {
+        bool const added = node.source().begin.line == 0;  // a section that --set had to make
         for (std::string const& setting : set_)
-            if (path == setting || path.starts_with(setting + ".")) return "--set " + setting;
+            if (path == setting || path.starts_with(setting + ".") || (added && setting.starts_with(path + ".")))
+                return "--set " + setting;
         return fmt::format("{}:{}", file_, node.source().begin.line);
     }
 
-    bool check_range(Key const& key, toml::node const& node, double value) {
+    bool check_range(Key const& key, toml::node const& node, double value, std::string const& kind = "finite") {
         bool const inside = std::isfinite(value) && value >= key.at_least && value > key.above && value <= key.at_most;
-        if (!inside) wrong(key, node, fmt::format("must be a finite number{}{}", unit(key), range(key)));
+        if (!inside) wrong(key, node, fmt::format("must be a {} number{}{}", kind, unit(key), range(key)));
         return inside;
     }
     bool read_number(Key const& key, toml::node const& node, double& value) {
@@ -233,7 +250,27 @@ private:
         return true;
     }
 
+    /// What to write instead of `part` in the section `path`: a key of that section, else one of another.
+    std::string advice(std::string const& part, std::string const& path) const {
+        std::vector<std::string> beside, last;
+        std::string const prefix = path.empty() ? "" : path + ".";
+        for (std::string const& key : known_) {
+            if (key.starts_with(prefix)) {
+                std::string const name = split(key.substr(prefix.size())).front();
+                if (std::find(beside.begin(), beside.end(), name) == beside.end()) beside.push_back(name);
+            }
+            last.push_back(split(key).back());
+        }
+        if (std::string const near = nearest(part, beside); !near.empty())
+            return fmt::format("did you mean {}{}?", prefix, near);
+        auto const elsewhere = std::find(last.begin(), last.end(), nearest(part, last));
+        if (elsewhere != last.end())
+            return fmt::format("did you mean {}?", known_[static_cast<std::size_t>(elsewhere - last.begin())]);
+        return path.empty() ? "`coronet keys` lists them all" : fmt::format("{} has {}", path, fmt::join(beside, ", "));
+    }
+
     void find_unknown(toml::node& node, std::string const& path) {
+        if (of_unknown_kind_.contains(path)) return;
         auto const visit = [&](std::string const& part, toml::node& below) {
             std::string const here = path.empty() ? part : path + "." + part;
             bool const is_key = std::find(known_.begin(), known_.end(), here) != known_.end();
@@ -245,10 +282,7 @@ private:
             } else if (is_section) {
                 find_unknown(below, here);
             } else if (!is_key) {
-                std::string const near = nearest(here, known_);
-                errors_.push_back(fmt::format("{}: {} is no key here{}", place(here, below), here,
-                                              near.empty() ? "; `coronet keys` lists them all"
-                                                           : "; did you mean " + near + "?"));
+                errors_.push_back(fmt::format("{}: {} is no key here; {}", place(here, below), here, advice(part, path)));
             }
         };
         if (auto* table = node.as_table())
@@ -259,7 +293,7 @@ private:
 
     toml::table& table_;
     std::string file_;
-    std::set<std::string> set_;
+    std::set<std::string> set_, of_unknown_kind_;  // tables whose keys nobody can tell
     std::map<std::string, double> const* parameters_ = nullptr;
     std::vector<std::string> known_, errors_;
 };
@@ -281,6 +315,8 @@ std::string override_key(toml::table& table, std::string const& setting) {
     }
 
     auto const parts = split(path);
+    if (path.ends_with('.') || std::count(parts.begin(), parts.end(), "") > 0)
+        throw CaseError(fmt::format("--set {}: {} has an empty part", setting, path));
     toml::node* node = &table;
     for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
         toml::node* below = child(node, parts[k]);
@@ -289,7 +325,8 @@ std::string override_key(toml::table& table, std::string const& setting) {
             below = child(node, parts[k]);
         }
         if (!below || !(below->is_table() || below->is_array()))
-            throw CaseError(fmt::format("--set {}: {} is not a table or list in this case", setting, parts[k]));
+            throw CaseError(fmt::format("--set {}: {} is not a table or a list's item in this case", setting,
+                                        fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k) + 1, ".")));
         node = below;
     }
     if (auto* inner = node->as_table()) {

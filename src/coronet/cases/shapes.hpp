@@ -49,13 +49,25 @@ bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
     return inside;
 }
 
-/// The radius of a ball around the centre that holds the shape [m].
-inline double reach(Shape const& shape) {
-    if (shape.kind == "disc" || shape.kind == "ball") return shape.radius;
-    double r2 = 0;
-    for (double const edge : shape.kind == "box" ? shape.size : shape.semi_axes)
-        r2 = shape.kind == "box" ? r2 + edge * edge / 4 : std::max(r2, edge * edge);
-    return std::sqrt(r2);
+/// How far the shape goes from its centre along each of its own axes [m].
+template <int D>
+Vector<double, D> half_extents(Shape const& shape) {
+    Vector<double, D> half;
+    for (int k = 0; k < D; ++k)
+        half[k] = shape.kind == "box" ? shape.size[k] / 2 : shape.kind == "ellipse" ? shape.semi_axes[k] : shape.radius;
+    return half;
+}
+
+/// How far the shape goes from its centre along a direction g, given in its own axes, times the length of g.
+template <int D>
+double extent(Shape const& shape, Vector<double, D> const& g) {
+    auto const half = half_extents<D>(shape);
+    double sum = 0, sum2 = 0;
+    for (int k = 0; k < D; ++k) {
+        sum += std::fabs(g[k]) * half[k];
+        sum2 += g[k] * g[k] * half[k] * half[k];
+    }
+    return shape.kind == "box" ? sum : std::sqrt(sum2);
 }
 
 }  // namespace coronet

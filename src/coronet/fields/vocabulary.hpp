@@ -70,7 +70,7 @@ template <class F, class R, int D>
 using ValueOf = typename RankType<F::rank, R, D>::Type;
 
 template <Rank rank, int D>
-constexpr int components() {
+CORONET_HD constexpr int components() {
     return rank == Rank::scalar ? 1 : rank == Rank::vector ? D : rank == Rank::symmetric ? D * (D + 1) / 2 : D * D;
 }
 
