@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Reference solution of the rotating square patch of inviscid fluid.
 
 At omega t = 0 an incompressible, inviscid fluid fills the square |x|, |y| <= L/2
@@ -255,8 +256,9 @@ def local_spacing(labels, spacing, omega_t, lattice_directions=None, n=RESOLUTIO
     the distance is spacing min |F e|.  Labels and spacing are in units of L.
 
     F is taken as uniform over the step.  At a spacing of 0.01 the nearest distances
-    in the lattice carried along exactly differ from this by up to 6 % (inwards) at
-    omega t = 1.5 and 20 % at 2, mostly by less than 2 % and 5 %.
+    in the lattice carried along exactly differ from this by -5 to +16 % at
+    omega t = 1.5 and by -20 to +32 % at 2; for all but 2 % of the particles by -4 to
+    +3 % and -14 to +7 %.
     """
     if lattice_directions is None:
         lattice_directions = square_lattice(reach=REACH)

@@ -79,11 +79,13 @@ int start(int argc, char** argv) {
     plot_command->add_option("--with", with, "other runs of the same case to draw beside it");
 
     std::vector<std::string> commands;
-    for (auto* command : app.get_subcommands([](CLI::App*) { return true; })) commands.push_back(command->get_name());
+    for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
+        commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
         std::string const near = nearest(argv[1], commands);
-        throw CaseError(fmt::format("there is no command '{}'{}; there are {}", argv[1],
-                                    near.empty() ? "" : " (did you mean " + near + "?)", fmt::join(commands, ", ")));
+        std::string const meant = near.empty() ? "" : " (did you mean " + near + "?)";
+        throw CaseError(fmt::format("there is no command '{}'{}; there are {}", argv[1], meant,
+                                    fmt::join(commands, ", ")));
     }
     try {
         app.parse(argc, argv);

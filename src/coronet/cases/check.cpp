@@ -12,6 +12,7 @@
 #include "coronet/cases/fill.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/probe.hpp"
+#include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
 
@@ -20,6 +21,11 @@ namespace coronet {
 namespace {
 
 using Errors = std::vector<std::string>;
+
+template <class... Parts>
+void say(Errors& errors, fmt::format_string<Parts...> text, Parts&&... parts) {
+    errors.push_back(fmt::format(text, std::forward<Parts>(parts)...));
+}
 
 constexpr double most_particles = 5e8, most_frames = 1e6, most_rows = 1e8, most_steps = 1e10;
 
@@ -30,11 +36,12 @@ void check_names(Case const& c, Errors& errors) {
         });
     };
     if (!plain(c.name, "-_.") || c.name.front() == '.')
-        errors.push_back(fmt::format("name = '{}' cannot name a directory: use letters, digits, -, _ and .", c.name));
+        say(errors, "name = '{}' cannot name a directory: use letters, digits, -, _ and .", c.name);
     for (std::size_t k = 0; k < c.probes.size(); ++k)
         if (c.probes[k].kind == "value" && !plain(c.probes[k].name, "_"))
-            errors.push_back(fmt::format("probes.{}.name = '{}' cannot name a column: use letters, digits and _", k,
-                                         c.probes[k].name));
+            say(errors,
+                "probes.{}.name = '{}' cannot name a column: use letters, digits and _",
+                k, c.probes[k].name);
 }
 
 template <int D>
@@ -43,23 +50,27 @@ void check_shapes(Case const& c, Errors& errors) {
     for (std::size_t k = 0; k < c.shapes.size(); ++k) {
         for (Cut const& cut : c.shapes[k].cuts)
             if (std::all_of(cut.normal.begin(), cut.normal.end(), [](double n) { return n == 0; }))
-                errors.push_back(fmt::format("shapes.{}.cuts has a normal of length zero: it cuts nowhere", k));
+                say(errors, "shapes.{}.cuts has a normal of length zero: it cuts nowhere", k);
         for (double const x : c.shapes[k].centre)
             if (std::fabs(x) > 1e9 * dx)
-                errors.push_back(fmt::format("shapes.{}.centre = [{}] is more than 1e9 spacings from x = 0: round-off would "
-                                             "show; move the case to x = 0",
-                                             k, fmt::join(c.shapes[k].centre, ", ")));
+                say(errors,
+                    "shapes.{}.centre = [{}] is more than 1e9 spacings from x = 0: round-off would show; move "
+                    "the case to x = 0",
+                    k, fmt::join(c.shapes[k].centre, ", "));
     }
     double const expected = expected_particles<D>(c);
     if (!(expected < most_particles))
-        errors.push_back(fmt::format("particles.spacing = {} m would make about {:.1e} particles; at most {:.0e} are allowed: "
-                                     "use a spacing above {:.2g} m",
-                                     dx, expected, most_particles, dx * std::pow(expected / most_particles, 1.0 / D)));
+        say(errors,
+            "particles.spacing = {} m would make about {:.1e} particles; at most {:.0e} are allowed: use a "
+            "spacing above {:.2g} m",
+            dx, expected, most_particles, dx * std::pow(expected / most_particles, 1.0 / D));
 }
 
 template <int D>
 void check_probes(Case const& c, Errors& errors) {
-    auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, D>{}, 0); };
+    auto const value = [&](std::string const& text) {
+        return Formula(text, c.parameters)(Vector<double, D>{}, 0);
+    };
     for (std::size_t k = 0; k < c.probes.size(); ++k) {
         ProbeKeys const& probe = c.probes[k];
         double sum = 0, largest = 0;
@@ -68,51 +79,59 @@ void check_probes(Case const& c, Errors& errors) {
             largest = std::max(largest, std::fabs(value(rate)));
         }
         if (!(std::fabs(sum) <= 1e-9 * largest))
-            errors.push_back(fmt::format("probes.{}.rates = [{}] add up to {:.4g} 1/s: the exact drop keeps its volume, so the "
-                                         "sum must be 0",
-                                         k, fmt::join(probe.rates, ", "), sum));
+            say(errors,
+                "probes.{}.rates = [{}] add up to {:.4g} 1/s: the exact drop keeps its volume, so the sum must "
+                "be 0",
+                k, fmt::join(probe.rates, ", "), sum);
         for (std::string const& axis : probe.semi_axes)
             if (!(value(axis) > 0 && std::isfinite(value(axis))))
-                errors.push_back(fmt::format("probes.{}.semi_axes = [{}] must be finite and above 0 m", k,
-                                             fmt::join(probe.semi_axes, ", ")));
+                say(errors,
+                    "probes.{}.semi_axes = [{}] must be finite and above 0 m",
+                    k, fmt::join(probe.semi_axes, ", "));
         if (probe.kind == "patch" && !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
-            errors.push_back(fmt::format("probes.{}.side = {} must be finite and above 0 m", k, probe.side));
+            say(errors, "probes.{}.side = {} must be finite and above 0 m", k, probe.side);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
-            errors.push_back(fmt::format("probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity));
+            say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
     if (!errors.empty()) return;
-    std::set<std::string> columns;
+    auto const standard = standard_columns(D);
+    std::set<std::string> columns(standard.begin(), standard.end());
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)
-                errors.push_back(fmt::format("two probes write the column '{}' of the series: leave one away", column));
+                say(errors, "the column '{}' of the series is there already: give the probe another name, or leave it away", column);
 }
 
 template <int D>
 void check_initial_state(Case const& c, Errors& errors) {
     auto const seeds = fill<D>(c);
     if (seeds.size() == 0) {
-        errors.push_back(fmt::format("the shapes hold no particle at particles.spacing = {} m: use a smaller spacing",
-                                     c.particles.spacing));
+        say(errors,
+            "the shapes hold no particle at particles.spacing = {} m: use a smaller spacing",
+            c.particles.spacing);
         return;
     }
     auto const state = initial_state(c, seeds);
     double const fastest = std::sqrt(state.fastest2);
     if (!std::isfinite(fastest))
-        errors.push_back(fmt::format("initial.velocity = [{}] is not finite at every particle",
-                                     fmt::join(c.initial.velocity, ", ")));
+        say(errors,
+            "initial.velocity = [{}] is not finite at every particle",
+            fmt::join(c.initial.velocity, ", "));
     else if (fastest >= c.fluid.sound_speed)
-        errors.push_back(fmt::format("fluid.sound_speed = {} m/s, but initial.velocity reaches {:.4g} m/s: the flow must stay "
-                                     "below the sound speed, at best a tenth of it; use {:.4g} m/s",
-                                     c.fluid.sound_speed, fastest, 10 * fastest));
+        say(errors,
+            "fluid.sound_speed = {} m/s, but initial.velocity is up to {:.4g} m/s from its mean: the flow must "
+            "stay below the sound speed, at best a tenth of it; use {:.4g} m/s",
+            c.fluid.sound_speed, fastest, 10 * fastest);
     if (!state.density_is_possible)
-        errors.push_back(fmt::format("initial.pressure = {} leaves no positive finite density at every particle with "
-                                     "fluid.sound_speed = {} m/s: use a larger sound speed",
-                                     c.initial.pressure, c.fluid.sound_speed));
+        say(errors,
+            "initial.pressure = {} leaves no positive finite density at every particle with fluid.sound_speed = "
+            "{} m/s: use a larger sound speed",
+            c.initial.pressure, c.fluid.sound_speed);
     for (std::string const& text : c.fluid.body_force) {
         Formula force(text, c.parameters);
-        if (!std::all_of(seeds.position.begin(), seeds.position.end(), [&](auto const& x) { return std::isfinite(force(x, 0)); }))
-            errors.push_back(fmt::format("fluid.body_force: {} is not finite at every particle at t = 0", text));
+        auto const finite = [&](auto const& x) { return std::isfinite(force(x, 0)); };
+        if (!std::all_of(seeds.position.begin(), seeds.position.end(), finite))
+            say(errors, "fluid.body_force: {} is not finite at every particle at t = 0", text);
     }
 }
 
@@ -122,20 +141,21 @@ void check_times(Case const& c, Errors& errors) {
     if (c.time.step > std::min(sound, viscous)) {
         bool const by_sound = sound < viscous;
         double const limit = by_sound ? sound : viscous;
-        errors.push_back(fmt::format("time.step = {} s is beyond the largest stable step, {} = {:.3g} s (h, a third of the "
-                                     "kernel's radius, is {:.3g} m): use 'auto' or at most {:.3g} s",
-                                     c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit));
+        say(errors,
+            "time.step = {} s is beyond the largest stable step, {} = {:.3g} s (h, a third of the kernel's "
+            "radius, is {:.3g} m): use 'auto' or at most {:.3g} s",
+            c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit);
     }
     double const steps = c.time.step > 0 ? c.time.end / c.time.step : c.time.end / sound;
     if (steps > most_steps)
-        errors.push_back(fmt::format("time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed", c.time.end,
-                                     steps, c.time.end / steps, most_steps));
+        say(errors,
+            "time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed",
+            c.time.end, steps, c.time.end / steps, most_steps);
     auto const check_interval = [&](std::string const& key, double every, double most, std::string const& things) {
-        if (every > c.time.end)
-            errors.push_back(fmt::format("{} = {} s must not exceed time.end = {} s", key, every, c.time.end));
         if (c.time.end / every > most)
-            errors.push_back(fmt::format("{} = {} s would write {:.1e} {}; at most {:.0e} are allowed: use {:.2g} s or more", key,
-                                         every, c.time.end / every, things, most, c.time.end / most));
+            say(errors,
+                "{} = {} s would write {:.1e} {}; at most {:.0e} are allowed: use {:.2g} s or more",
+                key, every, c.time.end / every, things, most, c.time.end / most);
     };
     if (c.output.frames) check_interval("output.every", c.output.every, most_frames, "frames");
     check_interval("output.series_every", c.output.series_every, most_rows, "rows");

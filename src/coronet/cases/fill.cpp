@@ -97,9 +97,9 @@ Seeds<D> fill(Case const& c) {
             for (int k = 0; k < D; ++k) beside[k] += step[k];
             return !inside(place(beside));
         });
+        auto const seed = static_cast<std::uint64_t>(c.particles.seed);
         for (int k = 0; k < D; ++k)
-            x[k] += c.particles.jitter * dx *
-                    (2 * random(static_cast<std::uint64_t>(c.particles.seed), seeds.size(), static_cast<std::uint64_t>(k)) - 1);
+            x[k] += c.particles.jitter * dx * (2 * random(seed, seeds.size(), static_cast<std::uint64_t>(k)) - 1);
         seeds.position.push_back(x);
         seeds.surface.push_back(surface);
     };

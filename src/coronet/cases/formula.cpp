@@ -34,7 +34,8 @@ Formula::Formula(std::string const& text, std::map<std::string, double> const& p
         parser_->DefineConst("pi", std::numbers::pi);
         for (auto const& [name, value] : parameters) {
             // muParser would let a parameter hide what it names itself.
-            if (parser_->GetVar().contains(name) || parser_->GetConst().contains(name) || parser_->GetFunDef().contains(name))
+            if (parser_->GetVar().contains(name) || parser_->GetConst().contains(name) ||
+                parser_->GetFunDef().contains(name))
                 throw CaseError(fmt::format("a parameter cannot be named '{}'", name));
             parser_->DefineConst(name, value);
         }
@@ -42,7 +43,8 @@ Formula::Formula(std::string const& text, std::map<std::string, double> const& p
         parser_->SetExpr(text);
         parser_->Eval();
         if (parser_->GetNumResults() != 1)
-            throw CaseError(fmt::format("the formula '{}' has {} values, not one", text, parser_->GetNumResults()));
+            throw CaseError(
+                fmt::format("the formula '{}' has {} values, not one", text, parser_->GetNumResults()));
     } catch (mu::Parser::exception_type const& error) {
         throw CaseError(fmt::format("the formula '{}' is not understood: {}", text, error.GetMsg()));
     }

@@ -266,7 +266,8 @@ private:
         auto const elsewhere = std::find(last.begin(), last.end(), nearest(part, last));
         if (elsewhere != last.end())
             return fmt::format("did you mean {}?", known_[static_cast<std::size_t>(elsewhere - last.begin())]);
-        return path.empty() ? "`coronet keys` lists them all" : fmt::format("{} has {}", path, fmt::join(beside, ", "));
+        if (path.empty()) return "`coronet keys` lists them all";
+        return fmt::format("{} has {}", path, fmt::join(beside, ", "));
     }
 
     void find_unknown(toml::node& node, std::string const& path) {
@@ -282,7 +283,8 @@ private:
             } else if (is_section) {
                 find_unknown(below, here);
             } else if (!is_key) {
-                errors_.push_back(fmt::format("{}: {} is no key here; {}", place(here, below), here, advice(part, path)));
+                errors_.push_back(
+                    fmt::format("{}: {} is no key here; {}", place(here, below), here, advice(part, path)));
             }
         };
         if (auto* table = node.as_table())
@@ -325,8 +327,9 @@ std::string override_key(toml::table& table, std::string const& setting) {
             below = child(node, parts[k]);
         }
         if (!below || !(below->is_table() || below->is_array()))
-            throw CaseError(fmt::format("--set {}: {} is not a table or a list's item in this case", setting,
-                                        fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k) + 1, ".")));
+            throw CaseError(
+                fmt::format("--set {}: {} is not a table or a list's item in this case", setting,
+                            fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k) + 1, ".")));
         node = below;
     }
     if (auto* inner = node->as_table()) {

@@ -56,9 +56,13 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
         view.template set<Density>(i, rho);
         view.template set<Mass>(i, rho * seeds.volume);
         view.template set<Surface>(i, seeds.surface[i]);
-        double const speed2 = norm2(v);
-        state.fastest2 = std::isfinite(speed2) ? std::max(state.fastest2, speed2) : INFINITY;
         state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
+    }
+    auto const mean = (1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1))) *
+                      sum_over(seeds.size(), Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        double const speed2 = norm2(view.template get<Velocity>(i) - mean);
+        state.fastest2 = std::isfinite(speed2) ? std::max(state.fastest2, speed2) : INFINITY;
     }
     return state;
 }

@@ -16,7 +16,7 @@ EquationOfState equation_of_state(Case const& c);
 template <int D>
 struct InitialState {
     Particles<D> particles;
-    double fastest2 = 0;              ///< largest squared speed [m^2/s^2]; infinite if any is not finite
+    double fastest2 = 0;              ///< largest squared speed relative to the mean [m^2/s^2]; infinite if not finite
     bool density_is_possible = true;  ///< finite and positive everywhere
 };
 

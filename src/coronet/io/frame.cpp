@@ -2,6 +2,7 @@
 #include "coronet/io/frame.hpp"
 
 #include "coronet/core/error.hpp"
+#include "coronet/io/whole_file.hpp"
 
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,13 @@ void write_version(hid_t object) {
     checked(H5Awrite(attribute, H5T_NATIVE_INT64, version));
 }
 
+/// Without the time of writing, so that equal frames are equal files.
+hid_t without_clock(hid_t object_class) {
+    hid_t const properties = checked(H5Pcreate(object_class));
+    checked(H5Pset_obj_track_times(properties, false));
+    return properties;
+}
+
 /// A table of `components` columns; one column is written as a plain list, as VTK expects of scalars.
 template <typename Number>
 void write_table(hid_t group, std::string const& name, std::span<Number const> values, int components = 1,
@@ -92,15 +100,16 @@ void write_table(hid_t group, std::string const& name, std::span<Number const> v
     hsize_t const shape[] = {values.size() / columns, columns};
     auto const type = stored_as(Number{});
     Handle const space(H5Screate_simple(components == 1 ? 1 : 2, shape, nullptr), H5Sclose);
-    Handle const table(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                       H5Dclose);
+    Handle const timeless(without_clock(H5P_DATASET_CREATE), H5Pclose);
+    Handle const table(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, timeless, H5P_DEFAULT), H5Dclose);
     if (!values.empty())
         checked(H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     write_attribute(table, "unit", unit);
 }
 
 hid_t new_group(hid_t parent, char const* name) {
-    return H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    Handle const timeless(without_clock(H5P_GROUP_CREATE), H5Pclose);
+    return H5Gcreate2(parent, name, H5P_DEFAULT, timeless, H5P_DEFAULT);
 }
 
 /// Cell k is the vertex k: connectivity 0 1 2 ..., offsets 0 1 2 ... n.
@@ -149,27 +158,6 @@ std::string vtkhdf_image(Frame const& frame) {
     std::string image(static_cast<std::size_t>(checked(H5Fget_file_image(file, nullptr, 0))), '\0');
     checked(H5Fget_file_image(file, image.data(), image.size()));
     return image;
-}
-
-/// Writes beside `file`, then renames into place: a crash never leaves half a file.
-void write_whole(fs::path const& file, std::string const& content) {
-    auto part = file;
-    part += ".part";
-    std::error_code reason;
-    errno = 0;
-    std::ofstream stream(part, std::ios::binary);
-    stream << content;
-    stream.close();
-    if (!stream)
-        reason.assign(errno ? errno : EIO, std::generic_category());
-    else
-        fs::rename(part, file, reason);
-    if (!reason)
-        return;
-
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw RunError("cannot write " + file.string() + ": " + reason.message());
 }
 
 void check(Frame const& frame) {

@@ -23,15 +23,4 @@ void Table::check() {
     if (!stream_) throw RunError(fmt::format("{} cannot be written: is the disk full?", file_.string()));
 }
 
-void write_text(std::filesystem::path const& file, std::string const& text) {
-    auto temporary = file;
-    temporary += ".part";
-    std::ofstream stream(temporary);
-    stream << text;
-    stream.close();
-    std::error_code failed;
-    if (stream) std::filesystem::rename(temporary, file, failed);
-    if (!stream || failed) throw RunError(fmt::format("{} cannot be written: is the disk full?", file.string()));
-}
-
 }  // namespace coronet

@@ -26,7 +26,4 @@ private:
     std::ofstream stream_;
 };
 
-/// Writes a text file whole: to a temporary name first, so that no reader ever sees half of it. Throws RunError.
-void write_text(std::filesystem::path const& file, std::string const& text);
-
 }  // namespace coronet

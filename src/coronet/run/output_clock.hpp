@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// When something is due: at 0, every, 2 every, ... and at the end. Times are counted, not summed up, so they do not drift.
+// When something is due: at 0, every, 2 every, ... and at the end. Times are counted, not summed up, so they do not drift;
+// two that differ by round-off only are the same.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace coronet {
@@ -14,13 +14,18 @@ public:
     OutputClock(double every, double end) : every_(every), end_(end) {}
 
     /// The next time at which output is due [s].
-    double next() const { return std::min(end_, static_cast<double>(count_) * every_); }
-    bool due(double time) const { return time >= next(); }
+    double next() const {
+        double const time = static_cast<double>(count_) * every_;
+        return time > end_ - slack() ? end_ : time;
+    }
+    bool due(double time) const { return time >= next() - slack(); }
     void done(double time) {
-        while (time >= static_cast<double>(count_) * every_) ++count_;
+        while (static_cast<double>(count_) * every_ <= time + slack()) ++count_;
     }
 
 private:
+    double slack() const { return 1e-9 * std::min(every_, end_); }
+
     double every_, end_;
     std::int64_t count_ = 0;
 };

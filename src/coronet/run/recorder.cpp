@@ -7,29 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/totals.hpp"
 #include "coronet/io/frame.hpp"
+#include "coronet/io/whole_file.hpp"
 #include "coronet/version.hpp"
 
 namespace coronet {
 
 namespace {
-
-constexpr char axis_name[] = {'x', 'y', 'z'};
-
-template <int D>
-std::vector<std::string> standard_columns() {
-    std::vector<std::string> names{"time", "step", "dt", "particles", "mass", "volume"};
-    auto const vector = [&](std::string const& name) {
-        for (int k = 0; k < D; ++k) names.push_back(name + "_" + axis_name[k]);
-    };
-    vector("momentum");
-    names.push_back("angular_momentum_z");
-    if (D == 3) names.insert(names.end(), {"angular_momentum_x", "angular_momentum_y"});
-    vector("centre");
-    names.insert(names.end(), {"kinetic_energy", "spacing_min", "singular_matrices"});
-    return names;
-}
 
 /// The fields a reader of a frame looks for, under the names VTK's users would give them.
 template <int D>
@@ -66,9 +52,10 @@ std::vector<FrameField> frame_fields(Particles<D> const& particles) {
 template <int D>
 Recorder<D>::Recorder(Case const& c, std::filesystem::path directory, Scheme<D>& scheme)
     : case_(c), directory_(std::move(directory)), scheme_(scheme), probes_(make_probes<D>(c)) {
-    auto columns = standard_columns<D>();
+    auto columns = standard_columns(D);
     for (auto const& probe : probes_)
         for (std::string const& name : probe->columns()) columns.push_back(name);
+    columns.push_back("singular_matrices");
     series_.emplace(directory_ / "series.csv", columns);
 }
 
@@ -86,12 +73,12 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
         row.push_back(sum.angular_momentum[2]);
         if (D == 3) row.insert(row.end(), {sum.angular_momentum[0], sum.angular_momentum[1]});
         vector(sum.centre());
-        row.insert(row.end(), {sum.kinetic_energy, arrangement_.smallest_distance / case_.particles.spacing,
-                               static_cast<double>(scheme_.counters().singular_now)});
+        row.insert(row.end(), {sum.kinetic_energy, arrangement_.smallest_distance / case_.particles.spacing});
         for (auto& probe : probes_) {
             auto const values = probe->sample(time, particles);
             row.insert(row.end(), values.begin(), values.end());
         }
+        row.push_back(static_cast<double>(scheme_.counters().singular_now));
         series_->row(row);
     });
 }
@@ -156,7 +143,7 @@ void Recorder<D>::summary(std::string const& status, std::string const& message,
             if (m.error) entry["error"] = *m.error;
             if (!m.source.empty()) entry["source"] = m.source;
         }
-    write_text(directory_ / "summary.json", json.dump(2) + "\n");
+    write_whole(directory_ / "summary.json", json.dump(2) + "\n");
 }
 
 template class Recorder<2>;

@@ -2,13 +2,13 @@
 #include "coronet/run/run.hpp"
 
 #include <chrono>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "coronet/cases/read.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
+#include "coronet/io/whole_file.hpp"
 #include "coronet/run/interrupt.hpp"
 #include "coronet/run/output_clock.hpp"
 #include "coronet/run/progress.hpp"
@@ -61,7 +61,7 @@ RunStatus run(Case const& c, RunOptions const& options) {
 
             StepLimit const limit = scheme->time_limit();
             double const wanted = c.time.step > 0 ? c.time.step : limit.step;
-            if (!(wanted > 1e-9 * std::numeric_limits<float>::epsilon() * c.time.end))
+            if (!(wanted > 1e-12 * c.time.end))
                 throw RunError(fmt::format("the stable time step fell to {:.3g} s because of {}", wanted, limit.reason));
             double const due = std::min(rows.next(), frames.next());
             dt = fit_step(wanted, due - time);
@@ -89,7 +89,7 @@ RunStatus run(Case const& c, RunOptions const& options) {
 
 RunStatus run_case(Case const& c, RunOptions const& options) {
     prepare(options.directory, options.overwrite);
-    write_text(options.directory / "case.toml", write_case(c));
+    write_whole(options.directory / "case.toml", write_case(c));
     return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);
 }
 

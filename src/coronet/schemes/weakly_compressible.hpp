@@ -67,6 +67,7 @@ private:
     void update_state();
     void gradients_and_stress();
     void forces();
+    void check_state() const;
 
     Settings settings_;
     Particles<D> particles_;
