@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <chrono>
@@ -28,12 +29,15 @@ protected:
 
 constexpr std::size_t sizes[] = {0, 1, 2, items_per_block - 1, items_per_block, items_per_block + 1, 100'001};
 
-/// Numbers whose sum depends on the order of addition: of both signs and of sizes from 1e-8 to 1e8.
+/// Numbers of sizes from 1e-8 to 1e8, each with its negative somewhere: what a sum in some order gives is its
+/// rounding.
 std::vector<double> uneven_numbers(std::size_t size) {
     std::mt19937 engine(1);
-    std::uniform_real_distribution<double> exponent(-8, 8), sign(-1, 1);
+    std::uniform_real_distribution<double> exponent(-8, 8);
     std::vector<double> numbers(size);
-    for (double& x : numbers) x = std::copysign(std::pow(10, exponent(engine)), sign(engine));
+    for (std::size_t i = 0; i < size; ++i)
+        numbers[i] = i % 2 == 0 ? std::pow(10, exponent(engine)) : -numbers[i - 1];
+    std::shuffle(numbers.begin(), numbers.end(), engine);
     return numbers;
 }
 
