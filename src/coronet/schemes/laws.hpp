@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per sweep.
-// Each costs a pair loop per dimension to compile; a test holds their number to a budget.
+// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per
+// sweep. Each costs a pair loop per dimension to compile; a test holds their number to a budget.
 
 #include <algorithm>
 #include <limits>

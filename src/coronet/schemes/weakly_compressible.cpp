@@ -41,11 +41,12 @@ void WeaklyCompressible<D>::check_state() const {
     });
     if (first == none) return;
     std::size_t const i = static_cast<std::size_t>(first);
-    throw RunError(fmt::format("particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
-                               "acceleration {:.4g} m/s^2",
-                               particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
-                               view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
-                               std::sqrt(norm2(view.template get<Acceleration>(i)))));
+    throw RunError(
+        fmt::format("particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
+                    "acceleration {:.4g} m/s^2",
+                    particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
+                    view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
+                    std::sqrt(norm2(view.template get<Acceleration>(i)))));
 }
 
 template <int D>
@@ -73,7 +74,8 @@ void WeaklyCompressible<D>::advance(double time, double step) {
             auto const drift = mean ? 0.5 * (v0 + v) : view.template get<Velocity>(i);
             view.template set<Position>(i, view.template get<PositionBefore>(i) + step * drift);
             view.template set<Velocity>(i, v);
-            view.template set<Density>(i, view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
+            view.template set<Density>(i,
+                                       view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
         });
     });
 }
@@ -138,8 +140,8 @@ void WeaklyCompressible<D>::gradients_and_stress() {
             sweep(particles_, neighbours_, exterior_, kernel, CorrectedGradients{}, corrected);
             break;
     }
-    counters_.singular_now = static_cast<std::int64_t>(sum_over(
-        particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+    counters_.singular_now = static_cast<std::int64_t>(
+        sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
     counters_.singular_matrices += counters_.singular_now;
 }
 
@@ -207,7 +209,9 @@ Arrangement WeaklyCompressible<D>::arrangement() {
             }
             return row;
         },
-        [](Seen const& a, Seen const& b) { return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)}; });
+        [](Seen const& a, Seen const& b) {
+            return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)};
+        });
     return {seen.pairs / static_cast<double>(particles_.owned()), std::sqrt(seen.nearest2)};
 }
 

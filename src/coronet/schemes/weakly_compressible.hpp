@@ -6,7 +6,8 @@
 //     dv/dt   = (1/rho) div sigma (61), the dual of (60), plus gravity, body force and the case's pair terms
 //     p       = p(rho),  sigma = -p I + 2 eta d  (8, 5, 6, 62)
 // with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
-// In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the half.
+// In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
+// half.
 
 #include <functional>
 
