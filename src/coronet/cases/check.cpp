@@ -155,6 +155,9 @@ void check_times(Case const& c, Errors& errors) {
 
 template <int D>
 void check(Case const& c, Errors& errors) {
+    if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
+        say(errors, "method.viscous_force = 'morris' goes with method.gradient = 'sph' only, not '{}': use 'stress'",
+            c.method.gradient);
     check_names(c, errors);
     check_times(c, errors);
     check_probes<D>(c, errors);

@@ -170,6 +170,11 @@ void describe(Keys& keys, Case& c) {
     keys.choice({.path = "method.gradient",
                  .meaning = "sph: plain; fpm: exact for linear fields; cph: fpm near the free surface, sph inside"},
                 m.gradient, {"sph", "cph", "fpm"});
+    keys.choice(
+        {.path = "method.viscous_force",
+         .meaning = "stress: from the velocity gradient; morris: between velocities, with gradient sph only, in "
+                    "one sweep"},
+        m.viscous_force, {"stress", "morris"});
     auto const names = kernel_names();
     keys.choice({.path = "method.kernel", .meaning = "smoothing kernel"}, m.kernel, {names.begin(), names.end()});
     keys.number({.path = "method.support",

@@ -77,6 +77,7 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
     s.gradient = c.method.gradient == "sph"   ? Gradient::sph
                  : c.method.gradient == "cph" ? Gradient::cph
                                               : Gradient::fpm;
+    s.viscous_force = c.method.viscous_force == "morris" ? ViscousForce::morris : ViscousForce::stress;
     s.position_update =
         c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity : PositionUpdate::midpoint_velocity;
     s.courant = c.time.courant;

@@ -84,8 +84,12 @@ template <int D>
 void WeaklyCompressible<D>::evaluate(double time) {
     phases_.act("neighbours", [&] { update_neighbours(); });
     phases_.act("state", [&] { update_state(); });
-    phases_.act("gradients", [&] { gradients_and_stress(); });
-    phases_.act("forces", [&] { forces(); });
+    if (one_sweep()) {
+        phases_.act("rates", [&] { rates_in_one_sweep(); });
+    } else {
+        phases_.act("gradients", [&] { gradients_and_stress(); });
+        phases_.act("forces", [&] { forces(); });
+    }
     if (settings_.body_force)
         phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), particles_.owned()); });
     ++counters_.evaluations;
@@ -161,6 +165,28 @@ void WeaklyCompressible<D>::forces() {
         if (plain) forces_of(PlainForces{});
         else forces_of(CorrectedForces{});
     }
+}
+
+/// Whether no stress is needed: plain gradients, and no viscosity or one that acts between velocities.
+template <int D>
+bool WeaklyCompressible<D>::one_sweep() const {
+    return settings_.gradient == Gradient::sph &&
+           (settings_.viscous_force == ViscousForce::morris || settings_.liquid.viscosity == 0);
+}
+
+template <int D>
+void WeaklyCompressible<D>::rates_in_one_sweep() {
+    auto const view = particles_.view();
+    auto const g = settings_.gravity;
+    MorrisViscosity const viscosity{settings_.liquid.viscosity};
+    auto const rates_of = [&](auto const& law) {
+        sweep(particles_, neighbours_, neighbours_.all(), settings_.kernel, law, [=](std::size_t i, auto const& sums) {
+            view.template set<Acceleration>(i, sums.dv + g);
+            view.template set<DensityRate>(i, sums.drho);
+        });
+    };
+    if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
+    else rates_of(PlainSweep{{}, viscosity, {}});
 }
 
 template <int D>

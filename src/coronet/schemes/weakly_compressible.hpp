@@ -22,6 +22,11 @@ namespace coronet {
 
 enum class Gradient { sph, cph, fpm };
 
+enum class ViscousForce {
+    stress,  ///< the dual of the velocity gradient, Fang et al. (2009) Eq 61
+    morris   ///< Morris, Fox and Zhu (1997), with plain gradients only
+};
+
 /// How the corrector moves the particles over a whole step.
 enum class PositionUpdate {
     mean_velocity,     ///< by the mean of old and new velocity: conserves angular momentum to round-off
@@ -35,6 +40,7 @@ public:
         Kernel kernel;
         double skin = 0;  ///< [m]
         Gradient gradient = Gradient::fpm;
+        ViscousForce viscous_force = ViscousForce::stress;
         PositionUpdate position_update = PositionUpdate::mean_velocity;
         double courant = 0.25;  ///< safe factor on h/c
         EquationOfState equation_of_state;
@@ -68,6 +74,8 @@ private:
     void update_state();
     void gradients_and_stress();
     void forces();
+    bool one_sweep() const;
+    void rates_in_one_sweep();
     void check_state() const;
 
     Settings settings_;
