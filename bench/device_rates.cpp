@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compares the rates that a GPU computes with those of the host, on a jittered block: prints the largest difference over
-// the largest rate, for plain and corrected gradients in 2D and 3D. Exit status 77 where there is no GPU.
+// Compares the rates that a GPU computes with those of the host, on a jittered block: prints the largest difference
+// over the largest rate, for plain and corrected gradients in 2D and 3D. Exit status 77 where there is no GPU.
 
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Evaluations of the right-hand side (both sweeps and the state) on a jittered block of liquid: particles and ordered
-// pairs inside the support per second, for plain and corrected gradients, 2D and 3D, 1e4 to 1e6 particles, 1 and 2 threads.
+// pairs inside the support per second, for plain and corrected gradients, 2D and 3D, 1e4 to 1e6 particles, 1 and 2
+// threads.
 //     build/release/right_hand_side [--benchmark_filter=...]
 
 #include <benchmark/benchmark.h>
@@ -20,13 +21,13 @@ template <int D>
 std::unique_ptr<Scheme<D>> block(std::string const& gradient, double particles) {
     double const spacing = std::pow(particles, -1.0 / D);
     std::string const zeros = D == 2 ? "[0, 0]" : "[0, 0, 0]", ones = D == 2 ? "[1, 1]" : "[1, 1, 1]";
-    return make_scheme<D>(read_case("name = 'block'\ndimension = " + std::to_string(D) +
-                                        "\n[[shapes]]\nkind = 'box'\nsize = " + ones +
-                                        "\n[particles]\njitter = 0.1\norigin = 'cell'\nspacing = " + std::to_string(spacing) +
-                                        "\n[fluid]\ndensity = 1000\nviscosity = 1\nsound_speed = 10\n[method]\ngradient = '" +
-                                        gradient + (D == 2 ? "'" : "'\nkernel = 'wendland-c2'\nsupport = 2.6") +
-                                        "\n[initial]\nvelocity = " + zeros + "\n[time]\nend = 1\n",
-                                    "block"));
+    return make_scheme<D>(
+        read_case("name = 'block'\ndimension = " + std::to_string(D) + "\n[[shapes]]\nkind = 'box'\nsize = " + ones +
+                      "\n[particles]\njitter = 0.1\norigin = 'cell'\nspacing = " + std::to_string(spacing) +
+                      "\n[fluid]\ndensity = 1000\nviscosity = 1\nsound_speed = 10\n[method]\ngradient = '" + gradient +
+                      (D == 2 ? "'" : "'\nkernel = 'wendland-c2'\nsupport = 2.6") + "\n[initial]\nvelocity = " + zeros +
+                      "\n[time]\nend = 1\n",
+                  "block"));
 }
 
 template <int D>

@@ -43,8 +43,7 @@ std::vector<std::string> comments(std::string const& text, std::string const& ma
 }
 
 /// What is said about a case; empty if nothing is wrong.
-std::string complaint(std::string const& text, std::string const& file,
-                      std::vector<std::string> const& settings = {}) {
+std::string complaint(std::string const& text, std::string const& file, std::vector<std::string> const& settings = {}) {
     try {
         read_case(text, file, settings);
         return "";
@@ -129,13 +128,11 @@ TEST(Override, TakesNumbersFlagsAndLists) {
 
 TEST(Override, ReachesIntoListsOfTables) {
     EXPECT_EQ(read_case(drop, "drop.toml", {"shapes.0.radius=2"}).shapes[0].radius, 2);
-    auto const c =
-        read_case(drop, "drop.toml",
-                  {"probes=[{kind=\"angular-momentum\"}]", "shapes.0.centre=[1, 2]", "shapes.0.centre.1=3"});
+    auto const c = read_case(drop, "drop.toml",
+                             {"probes=[{kind=\"angular-momentum\"}]", "shapes.0.centre=[1, 2]", "shapes.0.centre.1=3"});
     EXPECT_EQ(c.probes.at(0).kind, "angular-momentum");
     EXPECT_EQ(c.shapes[0].centre, (std::vector<double>{1, 3}));
-    EXPECT_TRUE(
-        read_case(drop, "drop.toml", {"probes=[{kind=\"angular-momentum\"}]", "probes=[]"}).probes.empty());
+    EXPECT_TRUE(read_case(drop, "drop.toml", {"probes=[{kind=\"angular-momentum\"}]", "probes=[]"}).probes.empty());
 }
 
 TEST(Override, TheLastOfTheSameKeyCounts) {
@@ -145,11 +142,9 @@ TEST(Override, TheLastOfTheSameKeyCounts) {
 TEST(Override, OfAnUnknownKeyIsNamedWithTheNearestKey) {
     EXPECT_EQ(complaint_about("fluid.desity=1"),
               "--set fluid.desity: fluid.desity is no key here; did you mean fluid.density?");
-    EXPECT_EQ(complaint_about("fluids.density=1"),
-              "--set fluids.density: fluids is no key here; did you mean fluid?");
-    EXPECT_EQ(
-        complaint_about("shapes.0.size=1"),
-        "--set shapes.0.size: shapes.0.size is no key here; shapes.0 has kind, centre, radius, rotation, cuts");
+    EXPECT_EQ(complaint_about("fluids.density=1"), "--set fluids.density: fluids is no key here; did you mean fluid?");
+    EXPECT_EQ(complaint_about("shapes.0.size=1"),
+              "--set shapes.0.size: shapes.0.size is no key here; shapes.0 has kind, centre, radius, rotation, cuts");
 }
 
 TEST(Override, ThatIsWrongIsNamedAndNotALineOfTheFile) {
@@ -186,8 +181,8 @@ TEST(Override, AndFileAreBlamedTogether) {
     auto const lines = lines_of(complaint(text, "drop.toml", {"time.end=0", "method.kernel=gauss"}));
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_EQ(lines[0], "drop.toml:6: shapes.0.radius is -1.0, but must be a finite number [m], above 0");
-    EXPECT_TRUE(lines[1].starts_with(
-        "--set method.kernel: method.kernel is the string 'gauss', but must be one of quintic"));
+    EXPECT_TRUE(
+        lines[1].starts_with("--set method.kernel: method.kernel is the string 'gauss', but must be one of quintic"));
     EXPECT_EQ(lines[2], "--set time.end: time.end is 0, but must be a finite number [s], above 0");
 }
 
@@ -196,8 +191,7 @@ TEST(LoadCase, ThatDoesNotExistNamesTheNearestBuiltInCase) {
         load_case("drop-streching");
         FAIL() << "a case that does not exist was loaded";
     } catch (CaseError const& error) {
-        EXPECT_NE(std::string(error.what()).find("did you mean drop-stretching?"), std::string::npos)
-            << error.what();
+        EXPECT_NE(std::string(error.what()).find("did you mean drop-stretching?"), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("square-patch"), std::string::npos) << error.what();
     }
     EXPECT_THROW(load_case("/"), CaseError);

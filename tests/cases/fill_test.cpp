@@ -21,9 +21,8 @@ using Settings = std::vector<std::string>;
 /// A liquid of the given shapes (a TOML list of inline tables) at spacing 0.1 m.
 template <int D = 2>
 Seeds<D> liquid(std::string const& shapes, Settings const& settings = {}) {
-    std::string const text =
-        "name = \"liquid\"\ndimension = " + std::to_string(D) + "\nshapes = " + shapes +
-        "\nparticles.spacing = 0.1\nfluid.density = 1000\nfluid.sound_speed = 10\ntime.end = 1\n";
+    std::string const text = "name = \"liquid\"\ndimension = " + std::to_string(D) + "\nshapes = " + shapes +
+                             "\nparticles.spacing = 0.1\nfluid.density = 1000\nfluid.sound_speed = 10\ntime.end = 1\n";
     return fill<D>(read_case(text, "liquid", settings));
 }
 
@@ -57,8 +56,8 @@ TEST(Fill, MakesAsManyParticlesAsThePapers) {
 TEST(Fill, GivesParticlesOfADiscItsArea) {
     for (std::string const lattice : {"square", "hexagonal"})
         for (std::string const origin : {"node", "cell"}) {
-            auto const seeds = liquid(
-                disc, {"particles.spacing=0.02", "particles.lattice=" + lattice, "particles.origin=" + origin});
+            auto const seeds =
+                liquid(disc, {"particles.spacing=0.02", "particles.lattice=" + lattice, "particles.origin=" + origin});
             double const area = static_cast<double>(seeds.size()) * seeds.volume;
             EXPECT_NEAR(area / std::numbers::pi, 1, 0.01) << lattice << ", " << origin;
         }
@@ -66,8 +65,8 @@ TEST(Fill, GivesParticlesOfADiscItsArea) {
 
 TEST(Fill, GivesParticlesOfABallItsVolume) {
     for (std::string const lattice : {"square", "hexagonal"}) {
-        auto const seeds = liquid<3>("[{kind = \"ball\", radius = 1}]",
-                                     {"particles.spacing=0.06", "particles.lattice=" + lattice});
+        auto const seeds =
+            liquid<3>("[{kind = \"ball\", radius = 1}]", {"particles.spacing=0.06", "particles.lattice=" + lattice});
         double const volume = static_cast<double>(seeds.size()) * seeds.volume;
         EXPECT_NEAR(volume / (4 * std::numbers::pi / 3), 1, 0.01) << lattice;
     }
@@ -219,8 +218,7 @@ TEST(ExpectedParticles, AreNearTheParticlesThatFillMakes) {
     };
     EXPECT_NEAR(compare("{kind = \"box\", size = [5, 0.2]}", {}), 1, 0.06);
     EXPECT_NEAR(compare("{kind = \"disc\", radius = 1}", {}), 4 / std::numbers::pi, 0.01);
-    EXPECT_NEAR(compare("{kind = \"disc\", radius = 1}", {"particles.lattice=hexagonal"}), 4 / std::numbers::pi,
-                0.01);
+    EXPECT_NEAR(compare("{kind = \"disc\", radius = 1}", {"particles.lattice=hexagonal"}), 4 / std::numbers::pi, 0.01);
 }
 
 }  // namespace

@@ -183,8 +183,7 @@ TEST(KeysPage, HasEveryKeyOnce) {
     std::string section;  // every key that `unusual` gives must be there
     std::stringstream given(unusual);
     for (std::string line; std::getline(given, line);) {
-        if (line.starts_with("["))
-            section = line.substr(line.rfind('[') + 1, line.find(']') - line.rfind('[') - 1);
+        if (line.starts_with("[")) section = line.substr(line.rfind('[') + 1, line.find(']') - line.rfind('[') - 1);
         auto const equals = line.find(" = ");
         if (equals == std::string::npos || section.starts_with("parameters")) continue;
         if (!section.empty() && section.back() != '.') section += '.';
@@ -195,10 +194,9 @@ TEST(KeysPage, HasEveryKeyOnce) {
 }
 
 TEST(KeysPage, TellsUnitRangeDefaultAndMeaning) {
-    EXPECT_NE(
-        keys_page().find(
-            "| `particles.spacing` | number [m], above 0 | required | distance between lattice neighbours |"),
-        std::string::npos);
+    EXPECT_NE(keys_page().find(
+                  "| `particles.spacing` | number [m], above 0 | required | distance between lattice neighbours |"),
+              std::string::npos);
     EXPECT_NE(keys_page().find("| `method.gradient` | `sph`, `cph`, `fpm` | `fpm` |"), std::string::npos);
 }
 

@@ -19,10 +19,8 @@ constexpr unsigned all_lanes = (1u << pack_size) - 1;
 
 template <class P>
 double lane(P const& pack, int k) {
-    if constexpr (pack_size == 1)
-        return pack;
-    else
-        return pack[k];
+    if constexpr (pack_size == 1) return pack;
+    else return pack[k];
 }
 
 /// Numbers that no two lanes share.
@@ -55,8 +53,8 @@ TEST(Pack, IsGatheredFromWhereItsIndicesPoint) {
 }
 
 TEST(Pack, TellsWhichLanesAreBelowALimit) {
-    std::vector<double> const numbers{
-        0.0, -0.0, 1.0, std::nextafter(1, 0), std::nextafter(1, 2), -1, NAN, INFINITY, -INFINITY, 5e-324};
+    std::vector<double> const numbers{0.0,      -0.0,      1.0,   std::nextafter(1, 0), std::nextafter(1, 2), -1, NAN,
+                                      INFINITY, -INFINITY, 5e-324};
     for (double const limit : std::vector<double>{0.0, 1.0, -1.0, INFINITY, -INFINITY, NAN, 1e-300})
         for (std::size_t start = 0; start < numbers.size(); ++start) {
             double lanes[pack_size];

@@ -43,8 +43,7 @@ Particles<D> marked(std::size_t count) {
     Particles<D> particles(count);
     particles.allocate(OfEveryRank{});
     for_components<D>([&]<class F>(int k) {
-        for (std::size_t i = 0; i < count; ++i)
-            particles.template get<F>(k)[i] = mark(particles.id[i], F::number, k);
+        for (std::size_t i = 0; i < count; ++i) particles.template get<F>(k)[i] = mark(particles.id[i], F::number, k);
     });
     return particles;
 }

@@ -39,7 +39,7 @@ Frame sample(std::size_t count, double depth) {
     Frame frame{.time = 0.0125, .points = counting(3 * count, 0.5), .ids = {}, .fields = {}};
     for (std::size_t i = 0; i < count; ++i) {
         frame.points[3 * i + 2] *= depth;
-        frame.ids.push_back(static_cast<std::int64_t>(count - i)); // particles are re-ordered in a run
+        frame.ids.push_back(static_cast<std::int64_t>(count - i));  // particles are re-ordered in a run
     }
     frame.fields = {{"pressure", "Pa", 1, counting(count, -3.0)},
                     {"velocity", "m/s", 3, counting(3 * count, 10.0)},
@@ -200,4 +200,4 @@ TEST_F(FrameFile, SeriesThatCannotBeWrittenIsNamed) {
     EXPECT_THROW(coronet::write_frame_series(folder / "missing", {}), std::runtime_error);
 }
 
-} // namespace
+}  // namespace

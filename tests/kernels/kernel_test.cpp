@@ -138,8 +138,7 @@ TEST(Kernel, OfAnotherSupportIsTheSameShape) {
             // The distance itself is rounded: s by eps changes W by eps times the slope.
             double const rounding = 16 * eps * (sum_of_parts.W + s * s * std::fabs(sum_of_parts.F));
             EXPECT_NEAR(W(kernel, s * H) * volume, W(unit, s), rounding) << s;
-            EXPECT_NEAR(slope(kernel, s * H) * volume * H, slope(unit, s), 16 * eps * 6 * 5 * coefficients(unit))
-                << s;
+            EXPECT_NEAR(slope(kernel, s * H) * volume * H, slope(unit, s), 16 * eps * 6 * 5 * coefficients(unit)) << s;
         }
     });
 }
@@ -160,10 +159,8 @@ TEST(Kernel, HasAFiniteCurvatureAtNoDistanceUnlessItIsSpiky) {
         // Distances are kept above 1e-12 H. There the slope, almost zero, carries the rounding of its parts.
         double const rounding = 4 * eps * std::fabs(parts(kernel)(0.0).F) * H * H;
         double const jump = std::fabs(kernel(0.0).F - kernel(s * s * H * H).F) * H * H;
-        if (name == "w3")
-            EXPECT_GT(jump, third / s);
-        else
-            EXPECT_LT(jump, s * third + rounding);
+        if (name == "w3") EXPECT_GT(jump, third / s);
+        else EXPECT_LT(jump, s * third + rounding);
     });
 }
 
@@ -211,8 +208,7 @@ TEST(Kernel, HasThePublishedValues) {
 TEST(Kernel, TellsAPackOfDistancesWhatItTellsEachAlone) {
     for_all_kernels([](Kernel const& kernel, auto, int) {
         double r2[coronet::pack_size], W[coronet::pack_size], F[coronet::pack_size];
-        for (int k = 0; k < coronet::pack_size; ++k)
-            r2[k] = std::pow(kernel.support * 1.2 * k / coronet::pack_size, 2);
+        for (int k = 0; k < coronet::pack_size; ++k) r2[k] = std::pow(kernel.support * 1.2 * k / coronet::pack_size, 2);
         auto const values = kernel(coronet::load(r2));
         coronet::squeeze((1u << coronet::pack_size) - 1, values.W, W);
         coronet::squeeze((1u << coronet::pack_size) - 1, values.F, F);

@@ -148,8 +148,7 @@ TEST(Newtonian, StressOfPureShearIsViscosityTimesItsRate) {
 }
 
 TEST(Newtonian, StressOfStretchingIsTwiceViscosityTimesItsRate) {
-    expect_stress<2>({{0.7, 0, 0, -0.7}},
-                     {{-pressure + 2 * viscosity * 0.7, 0, 0, -pressure - 2 * viscosity * 0.7}});
+    expect_stress<2>({{0.7, 0, 0, -0.7}}, {{-pressure + 2 * viscosity * 0.7, 0, 0, -pressure - 2 * viscosity * 0.7}});
     expect_stress<3>({{0.7, 0, 0, 0, -0.35, 0, 0, 0, -0.35}},
                      {{-pressure + 2 * viscosity * 0.7, 0, 0, 0, -pressure - viscosity * 0.7, 0, 0, 0,
                        -pressure - viscosity * 0.7}});
@@ -183,8 +182,7 @@ TEST(Newtonian, StressTurnsWithTheFlow) {
         // D^(1/2).
         double const size = std::sqrt(D) * pressure + 2 * viscosity * 3 * norm(grad_v);
         for (int a = 0; a < D; ++a)
-            for (int b = 0; b < D; ++b)
-                EXPECT_NEAR(sigma_of_turned(a, b), turned(sigma)(a, b), 16 * D * eps * size);
+            for (int b = 0; b < D; ++b) EXPECT_NEAR(sigma_of_turned(a, b), turned(sigma)(a, b), 16 * D * eps * size);
     });
 }
 

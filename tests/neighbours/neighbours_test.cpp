@@ -43,8 +43,7 @@ void expect_found(Points<D> const& points, double support, double skin) {
 TEST(Neighbours, InACloudAreThoseOfAllPairs) {
     in_every_dimension([]<int D>() {
         for (std::size_t const count : {0, 1, 2, 3, 7, 8, 9, 257, 400})
-            for (double const support : {0.01, 0.15, 0.5, 4.0})
-                expect_found(cloud<D>(count), support, 0.1 * support);
+            for (double const support : {0.01, 0.15, 0.5, 4.0}) expect_found(cloud<D>(count), support, 0.1 * support);
     });
 }
 

@@ -17,8 +17,7 @@ using namespace coronet::test;
 /// Each particle of `wanted` stands in one block, in order; blocks are neither empty nor of many more pairs
 /// than asked.
 template <int D>
-void expect_blocks(Targets const& targets, Neighbours<D> const& neighbours,
-                   std::vector<std::size_t> const& wanted) {
+void expect_blocks(Targets const& targets, Neighbours<D> const& neighbours, std::vector<std::size_t> const& wanted) {
     std::size_t const block_of_pairs = 16384;
     std::vector<std::size_t> covered;
     ASSERT_EQ(targets.begin.front(), 0u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the forces of the weakly compressible scheme conserve on a disordered body with a free surface: momentum with every
-// gradient, angular momentum with the gradient that is exact for linear fields, and the balance of energy.
+// What the forces of the weakly compressible scheme conserve on a disordered body with a free surface: momentum with
+// every gradient, angular momentum with the gradient that is exact for linear fields, and the balance of energy.
 
 #include <gtest/gtest.h>
 
@@ -44,8 +44,8 @@ double relative_torque(std::string const& gradient) {
     return worst;
 }
 
-/// Power of the stress forces plus the rate at which the stress stores or dissipates energy, over the latter's size: zero if
-/// force and velocity gradient are dual, Fang et al. (2009) Eqs 44 and 53. With a Newtonian stress this is
+/// Power of the stress forces plus the rate at which the stress stores or dissipates energy, over the latter's size:
+/// zero if force and velocity gradient are dual, Fang et al. (2009) Eqs 44 and 53. With a Newtonian stress this is
 ///     sum m v . dv - sum V (p div v - 2 eta d : d).
 template <int D>
 double energy_imbalance(std::string const& gradient) {
@@ -92,9 +92,11 @@ TEST(Energy, ViscosityTakesItAway) {
         auto const power = [&](double viscosity) {
             auto const scheme = liquid<2>({.gradient = gradient, .viscosity = viscosity});
             auto const view = scheme->particles().view();
-            return sum_and_size(scheme->particles().owned(), [&](std::size_t i) {
-                return view.get<Mass>(i) * dot(view.get<Velocity>(i), view.get<Acceleration>(i));
-            }).first;
+            return sum_and_size(scheme->particles().owned(),
+                                [&](std::size_t i) {
+                                    return view.get<Mass>(i) * dot(view.get<Velocity>(i), view.get<Acceleration>(i));
+                                })
+                .first;
         };
         EXPECT_LT(power(1), power(0)) << gradient;
         // The viscous power is linear in the viscosity.
@@ -111,7 +113,8 @@ TEST(Viscosity, DoesNotFeelRigidRotationWithTheExactGradient) {
         double worst = 0;
         for (int k = 0; k < 2; ++k)
             for (std::size_t i = 0; i < a->particles().owned(); ++i)
-                worst = std::max(worst, std::fabs(a->particles().get<Acceleration>(k)[i] - b->particles().get<Acceleration>(k)[i]));
+                worst = std::max(
+                    worst, std::fabs(a->particles().get<Acceleration>(k)[i] - b->particles().get<Acceleration>(k)[i]));
         return worst;
     };
     // A shear rate of 1/s would give stresses of 100 Pa and accelerations of some 100/spacing, over 1000 m/s^2.

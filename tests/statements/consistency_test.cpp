@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the interpolation operators reproduce on randomly perturbed particles with a free surface, and what happens where the
-// small matrices of the finite particle method are singular.
+// What the interpolation operators reproduce on randomly perturbed particles with a free surface, and what happens
+// where the small matrices of the finite particle method are singular.
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "coronet/cases/fill.hpp"
 #include "coronet/schemes/operators.hpp"
@@ -123,7 +123,8 @@ TEST(AxisGradient, IsExactInsideALatticeWhereOffDiagonalMomentsVanish) {
     Neighbours<2> neighbours(0.3, 0.01);
     auto const view = particles.view();
     neighbours.update(particles);
-    for (std::size_t i = 0; i < particles.size(); ++i) view.set<Sample>(i, 2 * view.get<Position>(i)[0] - view.get<Position>(i)[1]);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        view.set<Sample>(i, 2 * view.get<Position>(i)[0] - view.get<Position>(i)[1]);
     auto const values = interpolate(particles, neighbours, make_kernel("w6", 2, 0.3));
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (norm2(view.get<Position>(i)) > 1e-9) continue;
@@ -133,8 +134,9 @@ TEST(AxisGradient, IsExactInsideALatticeWhereOffDiagonalMomentsVanish) {
 }
 
 TEST(SingularMatrices, FallBackToThePlainGradientAndAreCounted) {
-    std::vector<Vector<double, 2>> const alone{{{0, 0}}}, two{{{0, 0}}, {{0.5, 0.3}}}, row{{{0, 0}}, {{0.4, 0.2}}, {{0.8, 0.4}}},
-        coincident{{{0, 0}}, {{0, 0}}, {{0, 0}}}, nearly_a_row{{{0, 0}}, {{0.4, 0.2}}, {{0.8, 0.4 + 1e-9}}};
+    std::vector<Vector<double, 2>> const alone{{{0, 0}}}, two{{{0, 0}}, {{0.5, 0.3}}},
+        row{{{0, 0}}, {{0.4, 0.2}}, {{0.8, 0.4}}}, coincident{{{0, 0}}, {{0, 0}}, {{0, 0}}},
+        nearly_a_row{{{0, 0}}, {{0.4, 0.2}}, {{0.8, 0.4 + 1e-9}}};
     for (auto const& cloud : {alone, two, row, coincident, nearly_a_row}) {
         Errors const e = errors_on_linear_field<2>(cloud, 0.25, 1.0);
         EXPECT_EQ(e.fell_back, static_cast<int>(cloud.size()));

@@ -149,7 +149,8 @@ TEST(BodyForce, MayDependOnPlaceAndTime) {
 
 TEST(PredictorCorrector, IsOfSecondOrder) {
     auto const state = [](double step) {
-        return after_steps<2>(liquid_case<2>({.viscosity = 0, .step = step}), static_cast<int>(std::lround(0.008 / step)));
+        return after_steps<2>(liquid_case<2>({.viscosity = 0, .step = step}),
+                              static_cast<int>(std::lround(0.008 / step)));
     };
     auto const coarse = state(1e-3), middle = state(5e-4), fine = state(2.5e-4);
     double first = 0, second = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Small bodies of liquid for statements about a whole scheme: an ellipse (ellipsoid), jittered, off-centre and turned, with
-// a smooth velocity that is neither linear nor free of divergence and a density that varies.
+// Small bodies of liquid for statements about a whole scheme: an ellipse (ellipsoid), jittered, off-centre and turned,
+// with a smooth velocity that is neither linear nor free of divergence and a density that varies.
 
 #include <cmath>
 #include <string>
@@ -33,8 +33,8 @@ Case liquid_case(LiquidOptions const& o) {
                                  "[method]\ngradient = '{}'\nkernel = 'wendland-c2'\nsupport = {}\n"
                                  "[time]\nend = 0.1\nstep = {}\n{}\n"
                                  "[[shapes]]\nkind = 'ellipse'\ncentre = [{}]\nsemi_axes = [{}]\nrotation = 30\n",
-                                 D, D == 2 ? 0.08 : 0.16, D == 2 ? o.velocity_2d : o.velocity_3d, o.viscosity, o.gradient,
-                                 D == 2 ? 3.2 : 2.4, o.step, o.more, D == 2 ? "2, -1" : "2, -1, 3",
+                                 D, D == 2 ? 0.08 : 0.16, D == 2 ? o.velocity_2d : o.velocity_3d, o.viscosity,
+                                 o.gradient, D == 2 ? 3.2 : 2.4, o.step, o.more, D == 2 ? "2, -1" : "2, -1, 3",
                                  D == 2 ? "1.0, 0.6" : "1.0, 0.6, 0.8"),
                      "liquid");
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Pairs of neighbours with random values of every field a term reads, and the same pair seen from the other side: to test
-// what a term does to two particles without any loop.
+// Pairs of neighbours with random values of every field a term reads, and the same pair seen from the other side: to
+// test what a term does to two particles without any loop.
 
 #include <random>
 #include <vector>
@@ -14,7 +14,8 @@ namespace coronet {
 
 /// i and j of equal type, so that they can change places.
 template <int D, class Term>
-using TestPair = Pair<double, D, Unite<typename Term::own, typename Term::reads>, Unite<typename Term::own, typename Term::reads>>;
+using TestPair =
+    Pair<double, D, Unite<typename Term::own, typename Term::reads>, Unite<typename Term::own, typename Term::reads>>;
 
 /// Scalars lie in [0.5, 1.5] (they may be densities or masses), components of vectors and tensors in [-1, 1].
 template <int D, class Term>
@@ -27,7 +28,8 @@ std::vector<TestPair<D, Term>> random_pairs(int count) {
         auto const fill = [&](auto& values) {
             for_fields(Unite<typename Term::own, typename Term::reads>{}, [&]<class F>(F) {
                 for (int k = 0; k < components<F::rank, D>(); ++k)
-                    component(F::of(values), k) = uniform(engine) * (F::rank == Rank::scalar ? 0.5 : 1) + (F::rank == Rank::scalar);
+                    component(F::of(values), k) =
+                        uniform(engine) * (F::rank == Rank::scalar ? 0.5 : 1) + (F::rank == Rank::scalar);
             });
         };
         fill(ij.i);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "coronet/app/plot.hpp"
 #include "coronet/cases/builtin.hpp"
@@ -36,7 +36,8 @@ void list_cases() {
 void check(std::string const& name, std::vector<std::string> const& settings) {
     Case const c = load_case(name, settings);
     auto const particles = c.dimension == 2 ? fill<2>(c).size() : fill<3>(c).size();
-    fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles, c.time.end);
+    fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles,
+               c.time.end);
 }
 
 int run(std::string const& name, std::vector<std::string> const& settings, RunOptions options, int thread_count) {
@@ -79,13 +80,12 @@ int start(int argc, char** argv) {
     plot_command->add_option("--with", with, "other runs of the same case to draw beside it");
 
     std::vector<std::string> commands;
-    for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
-        commands.push_back(command->get_name());
+    for (auto* command : app.get_subcommands([](CLI::App*) { return true; })) commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
         std::string const near = nearest(argv[1], commands);
         std::string const meant = near.empty() ? "" : " (did you mean " + near + "?)";
-        throw CaseError(fmt::format("there is no command '{}'{}; there are {}", argv[1], meant,
-                                    fmt::join(commands, ", ")));
+        throw CaseError(
+            fmt::format("there is no command '{}'{}; there are {}", argv[1], meant, fmt::join(commands, ", ")));
     }
     try {
         app.parse(argc, argv);

@@ -43,7 +43,8 @@ int plot(std::string const& directory, std::vector<std::string> const& with) {
     pid_t const child = fork();
     if (child == 0) {
         execvp(arguments[0], arguments.data());
-        fmt::print(stderr, "{} cannot be started: set CORONET_PYTHON to a Python 3 with numpy, matplotlib and vtk\n", python);
+        fmt::print(stderr, "{} cannot be started: set CORONET_PYTHON to a Python 3 with numpy, matplotlib and vtk\n",
+                   python);
         _exit(3);
     }
     int status = 0;

@@ -61,7 +61,8 @@ struct Case {
     } fluid;
 
     struct {
-        std::string scheme = "weakly-compressible", gradient = "fpm", kernel = "quintic-spline", precision = "double";
+        std::string scheme = "weakly-compressible", gradient = "fpm", viscous_force = "stress",
+                    kernel = "quintic-spline", precision = "double";
         double support = 3.9, skin = 0.3;
         PairTerms pair_terms;
     } method;

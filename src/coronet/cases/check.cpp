@@ -39,9 +39,7 @@ void check_names(Case const& c, Errors& errors) {
         say(errors, "name = '{}' cannot name a directory: use letters, digits, -, _ and .", c.name);
     for (std::size_t k = 0; k < c.probes.size(); ++k)
         if (c.probes[k].kind == "value" && !plain(c.probes[k].name, "_"))
-            say(errors,
-                "probes.{}.name = '{}' cannot name a column: use letters, digits and _",
-                k, c.probes[k].name);
+            say(errors, "probes.{}.name = '{}' cannot name a column: use letters, digits and _", k, c.probes[k].name);
 }
 
 template <int D>
@@ -68,9 +66,7 @@ void check_shapes(Case const& c, Errors& errors) {
 
 template <int D>
 void check_probes(Case const& c, Errors& errors) {
-    auto const value = [&](std::string const& text) {
-        return Formula(text, c.parameters)(Vector<double, D>{}, 0);
-    };
+    auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, D>{}, 0); };
     for (std::size_t k = 0; k < c.probes.size(); ++k) {
         ProbeKeys const& probe = c.probes[k];
         double sum = 0, largest = 0;
@@ -85,9 +81,8 @@ void check_probes(Case const& c, Errors& errors) {
                 k, fmt::join(probe.rates, ", "), sum);
         for (std::string const& axis : probe.semi_axes)
             if (!(value(axis) > 0 && std::isfinite(value(axis))))
-                say(errors,
-                    "probes.{}.semi_axes = [{}] must be finite and above 0 m",
-                    k, fmt::join(probe.semi_axes, ", "));
+                say(errors, "probes.{}.semi_axes = [{}] must be finite and above 0 m", k,
+                    fmt::join(probe.semi_axes, ", "));
         if (probe.kind == "patch" && !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
             say(errors, "probes.{}.side = {} must be finite and above 0 m", k, probe.side);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
@@ -99,24 +94,23 @@ void check_probes(Case const& c, Errors& errors) {
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)
-                say(errors, "the column '{}' of the series is there already: give the probe another name, or leave it away", column);
+                say(errors,
+                    "the column '{}' of the series is there already: give the probe another name, or leave it away",
+                    column);
 }
 
 template <int D>
 void check_initial_state(Case const& c, Errors& errors) {
     auto const seeds = fill<D>(c);
     if (seeds.size() == 0) {
-        say(errors,
-            "the shapes hold no particle at particles.spacing = {} m: use a smaller spacing",
+        say(errors, "the shapes hold no particle at particles.spacing = {} m: use a smaller spacing",
             c.particles.spacing);
         return;
     }
     auto const state = initial_state(c, seeds);
     double const fastest = std::sqrt(state.fastest2);
     if (!std::isfinite(fastest))
-        say(errors,
-            "initial.velocity = [{}] is not finite at every particle",
-            fmt::join(c.initial.velocity, ", "));
+        say(errors, "initial.velocity = [{}] is not finite at every particle", fmt::join(c.initial.velocity, ", "));
     else if (fastest >= c.fluid.sound_speed)
         say(errors,
             "fluid.sound_speed = {} m/s, but initial.velocity is up to {:.4g} m/s from its mean: the flow must "
@@ -148,14 +142,12 @@ void check_times(Case const& c, Errors& errors) {
     }
     double const steps = c.time.step > 0 ? c.time.end / c.time.step : c.time.end / sound;
     if (steps > most_steps)
-        say(errors,
-            "time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed",
-            c.time.end, steps, c.time.end / steps, most_steps);
+        say(errors, "time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed", c.time.end, steps,
+            c.time.end / steps, most_steps);
     auto const check_interval = [&](std::string const& key, double every, double most, std::string const& things) {
         if (c.time.end / every > most)
-            say(errors,
-                "{} = {} s would write {:.1e} {}; at most {:.0e} are allowed: use {:.2g} s or more",
-                key, every, c.time.end / every, things, most, c.time.end / most);
+            say(errors, "{} = {} s would write {:.1e} {}; at most {:.0e} are allowed: use {:.2g} s or more", key, every,
+                c.time.end / every, things, most, c.time.end / most);
     };
     if (c.output.frames) check_interval("output.every", c.output.every, most_frames, "frames");
     check_interval("output.series_every", c.output.series_every, most_rows, "rows");
@@ -163,6 +155,9 @@ void check_times(Case const& c, Errors& errors) {
 
 template <int D>
 void check(Case const& c, Errors& errors) {
+    if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
+        say(errors, "method.viscous_force = 'morris' goes with method.gradient = 'sph' only, not '{}': use 'stress'",
+            c.method.gradient);
     check_names(c, errors);
     check_times(c, errors);
     check_probes<D>(c, errors);

@@ -43,8 +43,7 @@ Formula::Formula(std::string const& text, std::map<std::string, double> const& p
         parser_->SetExpr(text);
         parser_->Eval();
         if (parser_->GetNumResults() != 1)
-            throw CaseError(
-                fmt::format("the formula '{}' has {} values, not one", text, parser_->GetNumResults()));
+            throw CaseError(fmt::format("the formula '{}' has {} values, not one", text, parser_->GetNumResults()));
     } catch (mu::Parser::exception_type const& error) {
         throw CaseError(fmt::format("the formula '{}' is not understood: {}", text, error.GetMsg()));
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A field given as a formula of x, y, z [m], t [s] and the case's parameters, evaluated by muParser: + - * / ^, sin, cos,
-// exp, sqrt, abs, min, max, comparisons, (a ? b : c), and pi.
+// A field given as a formula of x, y, z [m], t [s] and the case's parameters, evaluated by muParser: + - * / ^, sin,
+// cos, exp, sqrt, abs, min, max, comparisons, (a ? b : c), and pi.
 
 #include <map>
 #include <memory>

@@ -15,7 +15,8 @@ int fragments(Particles<D> const& particles, double radius) {
     std::size_t const n = particles.owned();
     Particles<D> points(n);
     points.allocate(Fields<Position>{});
-    for (std::size_t i = 0; i < n; ++i) points.view().template set<Position>(i, particles.view().template get<Position>(i));
+    for (std::size_t i = 0; i < n; ++i)
+        points.view().template set<Position>(i, particles.view().template get<Position>(i));
     Neighbours<D> linked(radius, 0);
     linked.update(points);
 

@@ -14,7 +14,7 @@
 namespace coronet {
 
 struct Key {
-    std::string path;     ///< dotted, as in --set
+    std::string path;          ///< dotted, as in --set
     std::string unit = {};     ///< "-" for a pure number, empty for words
     std::string meaning = {};  ///< a phrase
     double at_least = -std::numeric_limits<double>::infinity();

@@ -51,12 +51,14 @@ void PatchProbe::remember_surface(Particles<2> const& particles) {
     std::sort(line.begin(), line.end(), [](Point const& a, Point const& b) { return a.angle < b.angle; });
     for (Point const& p : line) outline_.push_back(p.id);
 
-    // In each quadrant the farthest surface particle is a corner, in each quarter around an axis the nearest a mid-side.
+    // In each quadrant the farthest surface particle is a corner, in each quarter around an axis the nearest a
+    // mid-side.
     for (int quarter = 0; quarter < 4; ++quarter) {
         auto const of_quarter = [&](double shift, bool farthest) {
             Point const* best = nullptr;
             for (Point const& p : line) {
-                double const from = std::remainder(p.angle - (quarter + shift) * std::numbers::pi / 2, 2 * std::numbers::pi);
+                double const from =
+                    std::remainder(p.angle - (quarter + shift) * std::numbers::pi / 2, 2 * std::numbers::pi);
                 if (std::fabs(from) > std::numbers::pi / 4) continue;
                 if (!best || (farthest ? p.radius > best->radius : p.radius < best->radius)) best = &p;
             }
@@ -90,15 +92,20 @@ std::vector<double> PatchProbe::sample(double time, Particles<2> const& particle
     if (first) first_area_ = area_;
     fragments_ = fragments(particles, 3 * spacing_);
     double const p = value_at(particles, kernel_, {}, [&](std::size_t i) { return view.get<Pressure>(i); });
-    return {mean_radius(corners_), mean_radius(mid_sides_),
-            p,                     static_cast<double>(fragments_),
-            area_,                 side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * time, 2))};
+    return {mean_radius(corners_),
+            mean_radius(mid_sides_),
+            p,
+            static_cast<double>(fragments_),
+            area_,
+            side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * time, 2))};
 }
 
 std::vector<Measure> PatchProbe::measures() const {
     double const error = area_ / first_area_ - 1;
-    return {{"fragments_final", static_cast<double>(fragments_), 1.0, fragments_ - 1.0, "the exact patch stays in one piece"},
-            {"area_error", error, 0.0, error, "area inside the outline of the initial surface, relative to its first value"}};
+    return {{"fragments_final", static_cast<double>(fragments_), 1.0, fragments_ - 1.0,
+             "the exact patch stays in one piece"},
+            {"area_error", error, 0.0, error,
+             "area inside the outline of the initial surface, relative to its first value"}};
 }
 
 }  // namespace coronet

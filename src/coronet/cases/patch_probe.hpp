@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is looked at in the rotating square patch: how far corners and mid-sides are from the centre, the pressure there,
-// the number of fragments (particles linked within three spacings), and the area inside the outline.
+// What is looked at in the rotating square patch: how far corners and mid-sides are from the centre, the pressure
+// there, the number of fragments (particles linked within three spacings), and the area inside the outline.
 //
-// The outline runs through the particles of the initial surface in their initial order, by identity: it stays the material
-// surface. The part of their volume that lies outside it (half of an edge particle, three quarters of a corner one) keeps
-// its size in an incompressible flow and is added as it was at the start.
+// The outline runs through the particles of the initial surface in their initial order, by identity: it stays the
+// material surface. The part of their volume that lies outside it (half of an edge particle, three quarters of a corner
+// one) keeps its size in an incompressible flow and is added as it was at the start.
 
 #include <cstdint>
 #include <vector>

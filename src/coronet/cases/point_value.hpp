@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The value of a field at a point: the mean over the particles in the kernel's support, weighted with V W (Shepard). Zero
-// where there is no liquid.
+// The value of a field at a point: the mean over the particles in the kernel's support, weighted with V W (Shepard).
+// Zero where there is no liquid.
 
 #include "coronet/cases/case.hpp"
 #include "coronet/fields/particles.hpp"

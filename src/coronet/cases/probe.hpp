@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A probe looks at the particles at every sample: it adds columns to the series and, at the end, measures to the summary,
-// beside their exact value where there is one.
+// A probe looks at the particles at every sample: it adds columns to the series and, at the end, measures to the
+// summary, beside their exact value where there is one.
 
 #include <memory>
 #include <optional>

@@ -65,8 +65,8 @@ private:
 };
 
 /// Semi-axes and centre pressure of a stretching drop, beside the exact ones (stretching_drop.hpp). A semi-axis is
-/// measured by the second moment of mass, s_k = sqrt((D + 2) sum m (x_k - centre_k)^2 / sum m), which is a_k for a uniform
-/// ellipsoid; the exact one is that of the first sample, carried along by the exact flow.
+/// measured by the second moment of mass, s_k = sqrt((D + 2) sum m (x_k - centre_k)^2 / sum m), which is a_k for a
+/// uniform ellipsoid; the exact one is that of the first sample, carried along by the exact flow.
 template <int D>
 class StretchingProbe final : public Probe<D> {
 public:
@@ -99,7 +99,8 @@ public:
         if (samples_ == 0) first_s_ = s;
         exact_.advance_to(time);
 
-        double const p = value_at(particles, kernel_, centre, [&](std::size_t i) { return view.template get<Pressure>(i); });
+        double const p =
+            value_at(particles, kernel_, centre, [&](std::size_t i) { return view.template get<Pressure>(i); });
         std::vector<double> row(s.c, s.c + D);
         row.push_back(p);
         for (int k = 0; k < D; ++k) {

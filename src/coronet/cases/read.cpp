@@ -97,7 +97,8 @@ public:
         if (key.path.ends_with(".kind")) of_unknown_kind_.insert(section_of(key.path));
         std::string const near = word ? nearest(*word, allowed) : "";
         wrong(key, *node,
-              fmt::format("must be one of {}{}", fmt::join(allowed, ", "), near.empty() ? "" : "; did you mean '" + near + "'?"));
+              fmt::format("must be one of {}{}", fmt::join(allowed, ", "),
+                          near.empty() ? "" : "; did you mean '" + near + "'?"));
     }
     void flag(Key const& key, bool& value) override {
         auto* node = want(key);
@@ -190,9 +191,7 @@ private:
         return node;
     }
 
-    static std::string unit(Key const& key) {
-        return key.unit.empty() || key.unit == "-" ? "" : " [" + key.unit + "]";
-    }
+    static std::string unit(Key const& key) { return key.unit.empty() || key.unit == "-" ? "" : " [" + key.unit + "]"; }
     static std::string range(Key const& key) {
         std::vector<std::string> bounds;
         if (std::isfinite(key.at_least)) bounds.push_back(fmt::format("at least {}", key.at_least));
@@ -351,7 +350,8 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
     try {
         table = toml::parse(text, file);
     } catch (toml::parse_error const& error) {
-        throw CaseError(fmt::format("{}:{}: this is not TOML: {}", file, error.source().begin.line, error.description()));
+        throw CaseError(
+            fmt::format("{}:{}: this is not TOML: {}", file, error.source().begin.line, error.description()));
     }
     std::set<std::string> set;
     for (std::string const& setting : settings) set.insert(override_key(table, setting));
@@ -366,16 +366,17 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
 
 Case load_case(std::string const& name_or_path, std::vector<std::string> const& settings) {
     for (BuiltinCase const& known : builtin_cases())
-        if (known.name == name_or_path) return read_case(known.text, fmt::format("built-in case {}", known.name), settings);
+        if (known.name == name_or_path)
+            return read_case(known.text, fmt::format("built-in case {}", known.name), settings);
 
     std::ifstream file(name_or_path);
     if (!file || std::filesystem::is_directory(name_or_path)) {
         std::vector<std::string> names;
         for (BuiltinCase const& known : builtin_cases()) names.emplace_back(known.name);
         std::string const near = nearest(name_or_path, names);
-        throw CaseError(fmt::format("there is no file '{}' that can be read and no built-in case of that name{}; built in are {}",
-                                    name_or_path, near.empty() ? "" : " (did you mean " + near + "?)",
-                                    fmt::join(names, ", ")));
+        throw CaseError(
+            fmt::format("there is no file '{}' that can be read and no built-in case of that name{}; built in are {}",
+                        name_or_path, near.empty() ? "" : " (did you mean " + near + "?)", fmt::join(names, ", ")));
     }
     std::stringstream text;
     text << file.rdbuf();

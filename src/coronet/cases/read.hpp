@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// From a case file (TOML) and --set overrides to a checked Case. Everything that is wrong is reported at once, one sentence
-// a line: where, what was found, what would be right.
+// From a case file (TOML) and --set overrides to a checked Case. Everything that is wrong is reported at once, one
+// sentence a line: where, what was found, what would be right.
 
 #include <string>
 #include <string_view>

@@ -25,33 +25,36 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
     std::vector<double> const origin(static_cast<std::size_t>(dimension), 0.0);
     std::vector<double> const unit(static_cast<std::size_t>(dimension), 1.0);
 
-    keys.choice({.path = path + ".kind", .meaning = "form of the liquid; an ellipse in 3D is an ellipsoid", .required = true},
-                shape.kind, kinds);
+    keys.choice(
+        {.path = path + ".kind", .meaning = "form of the liquid; an ellipse in 3D is an ellipsoid", .required = true},
+        shape.kind, kinds);
     if (shape.centre.empty()) shape.centre = origin;
     keys.numbers({.path = path + ".centre", .unit = "m", .meaning = "its centre"}, shape.centre, dimension);
     if (wants("disc") || wants("ball"))
         keys.number({.path = path + ".radius", .unit = "m", .meaning = "of a disc or ball", .above = 0}, shape.radius);
     if (wants("box")) {
         if (shape.size.empty()) shape.size = unit;
-        keys.numbers({.path = path + ".size", .unit = "m", .meaning = "edges of a box", .above = 0}, shape.size, dimension);
+        keys.numbers({.path = path + ".size", .unit = "m", .meaning = "edges of a box", .above = 0}, shape.size,
+                     dimension);
     }
     if (wants("ellipse")) {
         if (shape.semi_axes.empty()) shape.semi_axes = unit;
-        keys.numbers({.path = path + ".semi_axes", .unit = "m", .meaning = "of an ellipse", .above = 0}, shape.semi_axes,
-                     dimension);
+        keys.numbers({.path = path + ".semi_axes", .unit = "m", .meaning = "of an ellipse", .above = 0},
+                     shape.semi_axes, dimension);
     }
     keys.number({.path = path + ".rotation", .unit = "degrees", .meaning = "turn about its centre, in the x-y plane"},
                 shape.rotation);
-    keys.tables({.path = path + ".cuts", .meaning = "half-planes taken away from the shape"}, shape.cuts.size(),
-                [&](std::size_t n) { shape.cuts.resize(n); },
-                [&](std::size_t k, std::string const& cut) {
-                    if (shape.cuts[k].point.empty()) shape.cuts[k].point = origin;
-                    keys.numbers({.path = cut + ".point", .unit = "m", .meaning = "a point of the cutting plane"},
-                                 shape.cuts[k].point, dimension);
-                    keys.numbers({.path = cut + ".normal", .unit = "-", .meaning = "points to the side taken away",
-                                  .required = true},
-                                 shape.cuts[k].normal, dimension);
-                });
+    keys.tables(
+        {.path = path + ".cuts", .meaning = "half-planes taken away from the shape"}, shape.cuts.size(),
+        [&](std::size_t n) { shape.cuts.resize(n); },
+        [&](std::size_t k, std::string const& cut) {
+            if (shape.cuts[k].point.empty()) shape.cuts[k].point = origin;
+            keys.numbers({.path = cut + ".point", .unit = "m", .meaning = "a point of the cutting plane"},
+                         shape.cuts[k].point, dimension);
+            keys.numbers(
+                {.path = cut + ".normal", .unit = "-", .meaning = "points to the side taken away", .required = true},
+                shape.cuts[k].normal, dimension);
+        });
 }
 
 void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int dimension) {
@@ -65,12 +68,14 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
         keys.choice({.path = path + ".field", .meaning = "the field whose value is taken"}, probe.field,
                     {"pressure", "density", "speed"});
         if (probe.at.empty()) probe.at.assign(static_cast<std::size_t>(dimension), 0.0);
-        keys.numbers({.path = path + ".at", .unit = "m", .meaning = "where; 0 is read where there is no liquid"}, probe.at,
-                     dimension);
+        keys.numbers({.path = path + ".at", .unit = "m", .meaning = "where; 0 is read where there is no liquid"},
+                     probe.at, dimension);
     }
     if (wants("stretching")) {
-        keys.formulas({.path = path + ".rates", .unit = "1/s",
-                       .meaning = "the initial velocity is rates_k x_k; with the exact drop of that flow", .required = true},
+        keys.formulas({.path = path + ".rates",
+                       .unit = "1/s",
+                       .meaning = "the initial velocity is rates_k x_k; with the exact drop of that flow",
+                       .required = true},
                       probe.rates, dimension);
         if (probe.semi_axes.empty()) probe.semi_axes = ones;
         keys.formulas({.path = path + ".semi_axes", .unit = "m", .meaning = "of the initial drop"}, probe.semi_axes,
@@ -78,15 +83,17 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     }
     if (wants("patch")) {
         keys.formula({.path = path + ".side", .unit = "m", .meaning = "of the initial square"}, probe.side);
-        keys.formula({.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
-                     probe.angular_velocity);
+        keys.formula(
+            {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
+            probe.angular_velocity);
     }
 }
 
 }  // namespace
 
 void describe(Keys& keys, Case& c) {
-    keys.text({.path = "name", .meaning = "names the case and, by default, the directory of the run", .required = true}, c.name);
+    keys.text({.path = "name", .meaning = "names the case and, by default, the directory of the run", .required = true},
+              c.name);
     keys.text({.path = "title", .meaning = "one line on what it shows"}, c.title);
     keys.integer({.path = "dimension", .unit = "-", .meaning = "2 or 3", .at_least = 2, .at_most = 3, .required = true},
                  c.dimension);
@@ -96,22 +103,31 @@ void describe(Keys& keys, Case& c) {
 
     keys.named_numbers({.path = "parameters", .meaning = "numbers that formulas may use by name"}, c.parameters);
 
-    keys.tables({.path = "shapes", .meaning = "the liquid at the start: the union of these shapes", .required = true},
-                c.shapes.size(), [&](std::size_t n) { c.shapes.resize(n); },
-                [&](std::size_t k, std::string const& path) { describe_shape(keys, c.shapes[k], path, D); });
+    keys.tables(
+        {.path = "shapes", .meaning = "the liquid at the start: the union of these shapes", .required = true},
+        c.shapes.size(), [&](std::size_t n) { c.shapes.resize(n); },
+        [&](std::size_t k, std::string const& path) { describe_shape(keys, c.shapes[k], path, D); });
 
     auto& p = c.particles;
-    keys.number({.path = "particles.spacing", .unit = "m", .meaning = "distance between lattice neighbours", .above = 0,
+    keys.number({.path = "particles.spacing",
+                 .unit = "m",
+                 .meaning = "distance between lattice neighbours",
+                 .above = 0,
                  .required = true},
                 p.spacing);
-    keys.choice({.path = "particles.lattice", .meaning = "how particles are laid; hexagonal is face-centred cubic in 3D"},
-                p.lattice, {"square", "hexagonal"});
+    keys.choice(
+        {.path = "particles.lattice", .meaning = "how particles are laid; hexagonal is face-centred cubic in 3D"},
+        p.lattice, {"square", "hexagonal"});
     keys.choice({.path = "particles.origin", .meaning = "a particle (node) or a cell corner at x = 0"}, p.origin,
                 {"node", "cell"});
-    keys.number({.path = "particles.rotation", .unit = "degrees", .meaning = "turn of the lattice about x = 0 in the x-y plane"},
+    keys.number({.path = "particles.rotation",
+                 .unit = "degrees",
+                 .meaning = "turn of the lattice about x = 0 in the x-y plane"},
                 p.rotation);
-    keys.number({.path = "particles.jitter", .unit = "-",
-                 .meaning = "each coordinate is moved by up to this share of the spacing, at random", .at_least = 0,
+    keys.number({.path = "particles.jitter",
+                 .unit = "-",
+                 .meaning = "each coordinate is moved by up to this share of the spacing, at random",
+                 .at_least = 0,
                  .at_most = 0.5},
                 p.jitter);
     keys.integer({.path = "particles.seed", .unit = "-", .meaning = "of the random numbers", .at_least = 0}, p.seed);
@@ -122,65 +138,95 @@ void describe(Keys& keys, Case& c) {
                  c.initial.pressure);
 
     auto& f = c.fluid;
-    keys.number({.path = "fluid.density", .unit = "kg/m^3", .meaning = "density at zero pressure", .above = 0, .required = true},
+    keys.number({.path = "fluid.density",
+                 .unit = "kg/m^3",
+                 .meaning = "density at zero pressure",
+                 .above = 0,
+                 .required = true},
                 f.density);
     keys.choice({.path = "fluid.rheology", .meaning = "how stress follows from shear rate"}, f.rheology, {"newtonian"});
-    keys.number({.path = "fluid.viscosity", .unit = "Pa s", .meaning = "dynamic viscosity", .at_least = 0}, f.viscosity);
-    keys.number({.path = "fluid.sound_speed", .unit = "m/s",
+    keys.number({.path = "fluid.viscosity", .unit = "Pa s", .meaning = "dynamic viscosity", .at_least = 0},
+                f.viscosity);
+    keys.number({.path = "fluid.sound_speed",
+                 .unit = "m/s",
                  .meaning = "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %",
-                 .above = 0, .required = true},
+                 .above = 0,
+                 .required = true},
                 f.sound_speed);
-    keys.choice({.path = "fluid.equation_of_state",
-                 .meaning = "linear: c^2 (rho - rho0); tait: rho0 c^2/n ((rho/rho0)^n - 1)"},
-                f.equation_of_state, {"linear", "tait"});
-    keys.number({.path = "fluid.tait_exponent", .unit = "-", .meaning = "n of the Tait equation", .at_least = 1, .at_most = 20},
-                f.tait_exponent);
+    keys.choice(
+        {.path = "fluid.equation_of_state", .meaning = "linear: c^2 (rho - rho0); tait: rho0 c^2/n ((rho/rho0)^n - 1)"},
+        f.equation_of_state, {"linear", "tait"});
+    keys.number(
+        {.path = "fluid.tait_exponent", .unit = "-", .meaning = "n of the Tait equation", .at_least = 1, .at_most = 20},
+        f.tait_exponent);
     if (f.gravity.empty()) f.gravity = zero;
     keys.numbers({.path = "fluid.gravity", .unit = "m/s^2", .meaning = "gravitational acceleration"}, f.gravity, D);
     if (f.body_force.empty()) f.body_force = none;
     keys.formulas({.path = "fluid.body_force", .unit = "m/s^2", .meaning = "further force per mass"}, f.body_force, D);
 
     auto& m = c.method;
-    keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme, {"weakly-compressible"});
+    keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme,
+                {"weakly-compressible"});
     keys.choice({.path = "method.gradient",
                  .meaning = "sph: plain; fpm: exact for linear fields; cph: fpm near the free surface, sph inside"},
                 m.gradient, {"sph", "cph", "fpm"});
+    keys.choice(
+        {.path = "method.viscous_force",
+         .meaning = "stress: from the velocity gradient; morris: between velocities, with gradient sph only, in "
+                    "one sweep"},
+        m.viscous_force, {"stress", "morris"});
     auto const names = kernel_names();
     keys.choice({.path = "method.kernel", .meaning = "smoothing kernel"}, m.kernel, {names.begin(), names.end()});
-    keys.number({.path = "method.support", .unit = "spacings", .meaning = "radius of the kernel", .at_least = 1.5,
+    keys.number({.path = "method.support",
+                 .unit = "spacings",
+                 .meaning = "radius of the kernel",
+                 .at_least = 1.5,
                  .at_most = 10},
                 m.support);
-    keys.number({.path = "method.skin", .unit = "spacings",
-                 .meaning = "margin of the neighbour lists; changes the speed alone", .above = 0, .at_most = 5},
+    keys.number({.path = "method.skin",
+                 .unit = "spacings",
+                 .meaning = "margin of the neighbour lists; changes the speed alone",
+                 .above = 0,
+                 .at_most = 5},
                 m.skin);
     keys.choice({.path = "method.precision", .meaning = "of the arithmetic"}, m.precision, {"double"});
     describe_terms(keys, m.pair_terms);
 
-    keys.number({.path = "time.end", .unit = "s", .meaning = "simulated time", .above = 0, .required = true}, c.time.end);
-    keys.number_or({.path = "time.step", .unit = "s", .meaning = "time step, or auto: as long as is stable", .above = 0},
-                   c.time.step, "auto");
-    keys.number({.path = "time.courant", .unit = "-",
-                 .meaning = "an automatic step is at most this times h/c, h = a third of the kernel's radius", .above = 0,
+    keys.number({.path = "time.end", .unit = "s", .meaning = "simulated time", .above = 0, .required = true},
+                c.time.end);
+    keys.number_or(
+        {.path = "time.step", .unit = "s", .meaning = "time step, or auto: as long as is stable", .above = 0},
+        c.time.step, "auto");
+    keys.number({.path = "time.courant",
+                 .unit = "-",
+                 .meaning = "an automatic step is at most this times h/c, h = a third of the kernel's radius",
+                 .above = 0,
                  .at_most = 1},
                 c.time.courant);
     keys.choice({.path = "time.stepping", .meaning = "how time is stepped"}, c.time.stepping, {"predictor-corrector"});
-    keys.choice({.path = "time.position_update",
-                 .meaning = "mean-velocity keeps angular momentum to round-off; midpoint-velocity is Fang's printed form"},
-                c.time.position_update, {"mean-velocity", "midpoint-velocity"});
+    keys.choice(
+        {.path = "time.position_update",
+         .meaning = "mean-velocity keeps angular momentum to round-off; midpoint-velocity is Fang's printed form"},
+        c.time.position_update, {"mean-velocity", "midpoint-velocity"});
 
     if (c.output.every == 0) c.output.every = c.time.end / 10;
-    keys.number({.path = "output.every", .unit = "s", .meaning = "time between frames; by default a tenth of the end",
+    keys.number({.path = "output.every",
+                 .unit = "s",
+                 .meaning = "time between frames; by default a tenth of the end",
                  .above = 0},
                 c.output.every);
     if (c.output.series_every == 0) c.output.series_every = c.time.end / 200;
-    keys.number({.path = "output.series_every", .unit = "s",
-                 .meaning = "time between rows of the series; by default a 200th of the end", .above = 0},
+    keys.number({.path = "output.series_every",
+                 .unit = "s",
+                 .meaning = "time between rows of the series; by default a 200th of the end",
+                 .above = 0},
                 c.output.series_every);
     keys.flag({.path = "output.frames", .meaning = "whether frames are written"}, c.output.frames);
 
-    keys.tables({.path = "probes", .meaning = "further columns of the series and measures of the summary"}, c.probes.size(),
-                [&](std::size_t n) { c.probes.resize(n); },
-                [&](std::size_t k, std::string const& path) { describe_probe(keys, c.probes[k], path, D); });
+    keys.tables(
+        {.path = "probes", .meaning = "further columns of the series and measures of the summary"}, c.probes.size(),
+        [&](std::size_t n) { c.probes.resize(n); },
+        [&](std::size_t k, std::string const& path) { describe_probe(keys, c.probes[k], path, D); });
 }
 
 }  // namespace coronet

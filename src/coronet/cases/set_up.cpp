@@ -58,8 +58,9 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
         view.template set<Surface>(i, seeds.surface[i]);
         state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
     }
-    auto const mean = (1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1))) *
-                      sum_over(seeds.size(), Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
+    auto const mean =
+        (1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1))) *
+        sum_over(seeds.size(), Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         double const speed2 = norm2(view.template get<Velocity>(i) - mean);
         state.fastest2 = std::isfinite(speed2) ? std::max(state.fastest2, speed2) : INFINITY;
@@ -73,9 +74,12 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
     double const dx = c.particles.spacing;
     s.kernel = make_kernel(c.method.kernel, D, c.method.support * dx);
     s.skin = c.method.skin * dx;
-    s.gradient = c.method.gradient == "sph" ? Gradient::sph : c.method.gradient == "cph" ? Gradient::cph : Gradient::fpm;
-    s.position_update = c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity
-                                                                  : PositionUpdate::midpoint_velocity;
+    s.gradient = c.method.gradient == "sph"   ? Gradient::sph
+                 : c.method.gradient == "cph" ? Gradient::cph
+                                              : Gradient::fpm;
+    s.viscous_force = c.method.viscous_force == "morris" ? ViscousForce::morris : ViscousForce::stress;
+    s.position_update =
+        c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity : PositionUpdate::midpoint_velocity;
     s.courant = c.time.courant;
     s.equation_of_state = equation_of_state(c);
     s.liquid.viscosity = c.fluid.viscosity;

@@ -54,9 +54,7 @@ template <int D>
 Vector<double, D> half_extents(Shape const& shape) {
     Vector<double, D> half;
     for (int k = 0; k < D; ++k)
-        half[k] = shape.kind == "box"       ? shape.size[k] / 2
-                  : shape.kind == "ellipse" ? shape.semi_axes[k]
-                                            : shape.radius;
+        half[k] = shape.kind == "box" ? shape.size[k] / 2 : shape.kind == "ellipse" ? shape.semi_axes[k] : shape.radius;
     return half;
 }
 

@@ -39,7 +39,8 @@ Totals<D> totals(Particles<D> const& particles) {
         double const m = view.template get<Mass>(i);
         auto const x = view.template get<Position>(i);
         auto const v = view.template get<Velocity>(i);
-        Totals<D> one{m, m / view.template get<Density>(i), 0.5 * m * norm2(v), m * v, {}, m * x, m * std::sqrt(norm2(v))};
+        Totals<D> one{
+            m, m / view.template get<Density>(i), 0.5 * m * norm2(v), m * v, {}, m * x, m * std::sqrt(norm2(v))};
         one.angular_momentum[2] = m * (x[0] * v[1] - x[1] * v[0]);
         if constexpr (D == 3) {
             one.angular_momentum[0] = m * (x[1] * v[2] - x[2] * v[1]);

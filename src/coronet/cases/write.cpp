@@ -64,7 +64,8 @@ public:
         put(key, fmt::format("[{}]", fmt::join(items, ", ")));
     }
     void named_numbers(Key const& key, std::map<std::string, double>& values) override {
-        for (auto const& [name, value] : values) put({.path = key.path + "." + name, .unit = "", .meaning = ""}, digits(value));
+        for (auto const& [name, value] : values)
+            put({.path = key.path + "." + name, .unit = "", .meaning = ""}, digits(value));
     }
     void tables(Key const& key, std::size_t count, std::function<void(std::size_t)> const&,
                 std::function<void(std::size_t, std::string const&)> const& item) override {
@@ -129,7 +130,10 @@ private:
         if (std::isfinite(key.at_most)) bounds += fmt::format(", at most {}", key.at_most);
         std::string const unit = key.unit.empty() || key.unit == "-" ? "" : " [" + key.unit + "]";
         markdown += fmt::format("| `{}` | {}{}{} | {} | {} |\n", without_indices(key.path), kind, unit, bounds,
-                            key.required ? "required" : standard.empty() ? "" : "`" + standard + "`", key.meaning);
+                                key.required       ? "required"
+                                : standard.empty() ? ""
+                                                   : "`" + standard + "`",
+                                key.meaning);
     }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Two ways to fail, each a sentence with the value, the unit and the way out. The program's exit status tells them apart.
+// Two ways to fail, each a sentence with the value, the unit and the way out. The program's exit status tells them
+// apart.
 
 #include <stdexcept>
 #include <string>

@@ -29,6 +29,7 @@ CORONET_HD inline double largest(double a, double b) { return a > b ? a : b; }
 CORONET_HD inline double smallest(double a, double b) { return a < b ? a : b; }
 CORONET_HD inline double sum(double a) { return a; }
 CORONET_HD inline double square_root(double a) { return std::sqrt(a); }
+CORONET_HD inline double inverse_root(double a) { return 1 / std::sqrt(a); }
 
 #if !defined(__CUDACC__) && CORONET_SIMD
 

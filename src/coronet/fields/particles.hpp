@@ -77,9 +77,19 @@ public:
         return {array_[F::number].get() + static_cast<std::size_t>(component) * stride_, size_};
     }
 
+    /// Room for `count` numbers, aligned to 64 bytes: for copies that a sweep makes. Kept from call to call, since
+    /// fresh memory costs more than the copy.
+    double* scratch(std::size_t count) const {
+        if (scratch_size_ < count) {
+            scratch_ = make_array(count);
+            scratch_size_ = count;
+        }
+        return scratch_.get();
+    }
+
     /// Puts the particle that stands at from[i] at place i, with all its fields and its identity.
     void reorder(std::span<Index const> from) {
-        auto spare = make(1);
+        double* const spare = scratch(stride_);
         for (std::size_t field = 0; field < field_count; ++field) {
             if (!array_[field]) continue;
             for (int k = 0; k < count_[field]; ++k) {
@@ -100,20 +110,22 @@ private:
     };
     using Array = std::unique_ptr<double[], Release>;
 
-    Array make(int components) const {
-        std::size_t const count = stride_ * static_cast<std::size_t>(components);
+    /// A pack may be loaded at any particle: a few more numbers are readable behind the last.
+    static Array make_array(std::size_t count) {
         Array array(static_cast<double*>(::operator new[]((count + 8) * sizeof(double), alignment)));
         std::fill_n(array.get(), count + 8, 0.0);
         return array;
     }
     void allocate_one(int field, int components) {
-        array_[field] = make(components);
+        array_[field] = make_array(stride_ * static_cast<std::size_t>(components));
         count_[field] = components;
     }
 
     std::size_t size_, stride_;
     Array array_[field_count];
     int count_[field_count] = {};
+    mutable Array scratch_;
+    mutable std::size_t scratch_size_ = 0;
 
 public:
     std::vector<std::int64_t> id;

@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <typename Result> Result checked(Result result) {
-    if (result < 0)
-        throw RunError("HDF5 could not compose the frame: is there memory left?");
+template <typename Result>
+Result checked(Result result) {
+    if (result < 0) throw RunError("HDF5 could not compose the frame: is there memory left?");
     return result;
 }
 
@@ -64,8 +64,7 @@ hid_t stored_as(std::int64_t) { return H5T_NATIVE_INT64; }
 hid_t stored_as(std::uint8_t) { return H5T_NATIVE_UINT8; }
 
 void write_attribute(hid_t object, char const* name, std::string_view text) {
-    if (text.empty())
-        return; // HDF5 has no string of length zero
+    if (text.empty()) return;  // HDF5 has no string of length zero
 
     // Fixed length and ASCII: VTK 9.1 takes no other.
     Handle const type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -80,8 +79,7 @@ void write_version(hid_t object) {
     std::int64_t const version[] = {1, 0};
     hsize_t const size = 2;
     Handle const space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    Handle const attribute(H5Acreate2(object, "Version", H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose);
+    Handle const attribute(H5Acreate2(object, "Version", H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     checked(H5Awrite(attribute, H5T_NATIVE_INT64, version));
 }
 
@@ -102,8 +100,7 @@ void write_table(hid_t group, std::string const& name, std::span<Number const> v
     Handle const space(H5Screate_simple(components == 1 ? 1 : 2, shape, nullptr), H5Sclose);
     Handle const timeless(without_clock(H5P_DATASET_CREATE), H5Pclose);
     Handle const table(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, timeless, H5P_DEFAULT), H5Dclose);
-    if (!values.empty())
-        checked(H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    if (!values.empty()) checked(H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     write_attribute(table, "unit", unit);
 }
 
@@ -124,7 +121,7 @@ void write_vertices(hid_t root, std::size_t count) {
     write_table(root, "Connectivity", Numbers(numbers).first(count));
     write_table(root, "Offsets", Numbers(numbers));
 
-    std::uint8_t const vertex = 1; // VTK_VERTEX
+    std::uint8_t const vertex = 1;  // VTK_VERTEX
     std::vector<std::uint8_t> const types(count, vertex);
     write_table(root, "Types", std::span(types));
 }
@@ -173,20 +170,18 @@ void check(Frame const& frame) {
         expect(field.name, field.values.size(), static_cast<std::size_t>(field.components) * count);
 }
 
-} // namespace
+}  // namespace
 
 void write_frame(fs::path const& file, Frame const& frame) {
     check(frame);
     write_whole(file, vtkhdf_image(frame));
 }
 
-void write_frame_series(fs::path const& directory,
-                        std::vector<std::pair<std::string, double>> const& frames) {
+void write_frame_series(fs::path const& directory, std::vector<std::pair<std::string, double>> const& frames) {
     auto files = nlohmann::ordered_json::array();
-    for (auto const& [name, time] : frames)
-        files.push_back({{"name", name}, {"time", time}});
+    for (auto const& [name, time] : frames) files.push_back({{"name", name}, {"time", time}});
     nlohmann::ordered_json const series = {{"file-series-version", "1.0"}, {"files", files}};
     write_whole(directory / "frames.vtkhdf.series", series.dump(1) + "\n");
 }
 
-} // namespace coronet
+}  // namespace coronet

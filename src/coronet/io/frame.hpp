@@ -40,4 +40,4 @@ void write_frame(std::filesystem::path const& file, Frame const& frame);
 void write_frame_series(std::filesystem::path const& directory,
                         std::vector<std::pair<std::string, double>> const& frames);
 
-} // namespace coronet
+}  // namespace coronet

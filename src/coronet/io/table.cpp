@@ -8,7 +8,8 @@
 
 namespace coronet {
 
-Table::Table(std::filesystem::path file, std::vector<std::string> const& columns) : file_(std::move(file)), stream_(file_) {
+Table::Table(std::filesystem::path file, std::vector<std::string> const& columns)
+    : file_(std::move(file)), stream_(file_) {
     stream_ << fmt::format("{}\n", fmt::join(columns, ","));
     check();
 }

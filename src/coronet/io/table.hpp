@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A CSV table written row by row, flushed at every row: whatever happens to the run, what was sampled is on disk. Numbers
-// have the shortest digits that read back as the same double.
+// A CSV table written row by row, flushed at every row: whatever happens to the run, what was sampled is on disk.
+// Numbers have the shortest digits that read back as the same double.
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Smoothing kernels W(r) with support H (W = 0 for r >= H), as data: with s = r/H, every kernel here is a sum over knots
+// Smoothing kernels W(r) with support H (W = 0 for r >= H), as data: with s = r/H, every kernel here is a sum over
+// knots
 //     W(r) = sum_k u_k^3 (c_k0 + c_k1 u_k + c_k2 u_k^2 + c_k3 u_k^3),   u_k = max(0, knot_k - s),
 // so one branch-free piece of code serves all, and W and its slope vanish at the edge by themselves.
 // Units: W in 1/m^D. Sources of the shapes stand beside their names in kernel.cpp.
@@ -9,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "coronet/core/real.hpp"
+#include "coronet/core/simd.hpp"
 
 namespace coronet {
 
@@ -26,21 +27,23 @@ struct Kernel {
     int knots;
     double knot[most_knots];
     double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
+    double d[most_knots][4];  ///< in 1/m^(D+1): W' = sum_k u_k^2 (d_k0 + d_k1 u_k + ...), d_kn = -(n + 3) c_kn/H
 
     /// r2 = r^2 [m^2]. At r = 0 F is finite for every kernel but `w3`, whose limit is infinite: there F is large and
     /// F (x_i - x_j) still zero.
     template <class R>
     CORONET_HD KernelValue<R> operator()(R const& r2) const {
-        R const r = square_root(largest(r2, R(1e-24 * support * support)));
-        R const s = r * R(inverse_support);
+        R const safe = largest(r2, R(1e-24 * support * support));
+        R const inverse_r = inverse_root(safe);
+        R const s = safe * inverse_r * R(inverse_support);
         R W = R(0), slope = R(0);
         for (int k = 0; k < knots; ++k) {
             R const u = largest(R(knot[k]) - s, R(0));
             R const u2 = u * u;
             W += u2 * u * (R(c[k][0]) + u * (R(c[k][1]) + u * (R(c[k][2]) + u * R(c[k][3]))));
-            slope += u2 * (R(3 * c[k][0]) + u * (R(4 * c[k][1]) + u * (R(5 * c[k][2]) + u * R(6 * c[k][3]))));
+            slope += u2 * (R(d[k][0]) + u * (R(d[k][1]) + u * (R(d[k][2]) + u * R(d[k][3]))));
         }
-        return {W, -slope * R(inverse_support) / r};
+        return {W, slope * inverse_r};
     }
 
     /// W at r = 0: what a particle adds to its own sums.

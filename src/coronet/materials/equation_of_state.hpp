@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The equation of state of a weakly compressible liquid: pressure [Pa] from density [kg/m^3]. Both forms have sound speed
-// c and zero pressure at the reference density rho0:
+// The equation of state of a weakly compressible liquid: pressure [Pa] from density [kg/m^3]. Both forms have sound
+// speed c and zero pressure at the reference density rho0:
 //   linear  p = c^2 (rho - rho0)                                 Fang et al. (2009) Eq 8
 //   tait    p = rho0 c^2/gamma ((rho/rho0)^gamma - 1)            Monaghan, J. Comput. Phys. 110 (1994) 399
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The stress of a Newtonian liquid, sigma = -p I + 2 eta d, with d the traceless symmetric part of the velocity gradient:
-// Fang et al. (2009) Eqs 5, 6 and 62. Bulk viscosity is zero.
+// The stress of a Newtonian liquid, sigma = -p I + 2 eta d, with d the traceless symmetric part of the velocity
+// gradient: Fang et al. (2009) Eqs 5, 6 and 62. Bulk viscosity is zero.
 
 #include "coronet/core/tensor.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A uniform grid of cells over the bounding box of the particles. After sort() the particles stand in the order of their
-// cells, x fastest, so that the particles of neighbouring cells of a row are one contiguous range: near in space is near
-// in memory.
+// A uniform grid of cells over the bounding box of the particles. After sort() the particles stand in the order of
+// their cells, x fastest, so that the particles of neighbouring cells of a row are one contiguous range: near in space
+// is near in memory.
 
 #include <array>
 #include <span>
@@ -21,8 +21,9 @@ struct Range {
 template <int D>
 class CellGrid {
 public:
-    /// Lays the grid and re-orders the particles along it. Cells are at least `width` wide [m]; wider where particles have
-    /// flown so far apart that cells of that width would outnumber them. Throws RunError at a position that is not finite.
+    /// Lays the grid and re-orders the particles along it. Cells are at least `width` wide [m]; wider where particles
+    /// have flown so far apart that cells of that width would outnumber them. Throws RunError at a position that is not
+    /// finite.
     void sort(Particles<D>& particles, double width);
 
     /// The particles of the cells around the one of `x`, a row at a time: everything within `width` of x is among them.

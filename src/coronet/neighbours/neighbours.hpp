@@ -3,7 +3,8 @@
 
 // Neighbour lists kept over several steps: each particle's row names all others within support + skin. Until two
 // particles can have come skin closer, a row still holds everything inside the support; then the rows are listed anew
-// and the particles re-ordered along the cell grid. A common translation of all particles does not count as coming closer.
+// and the particles re-ordered along the cell grid. A common translation of all particles does not count as coming
+// closer.
 //
 // Rows hold each pair twice (j in the row of i, i in the row of j): every particle gathers its own sums.
 
@@ -16,7 +17,7 @@ namespace coronet {
 
 /// Particles whose sums are wanted, cut into blocks of about equal pair counts; the cut does not depend on the threads.
 struct Targets {
-    std::vector<Index> particles;      ///< empty: all of them, in order
+    std::vector<Index> particles;       ///< empty: all of them, in order
     std::vector<std::size_t> begin{0};  ///< block b holds the targets begin[b] ... begin[b + 1] - 1
 
     std::size_t blocks() const { return begin.size() - 1; }

@@ -6,8 +6,8 @@
 //     using own   = Fields<...>;   what it reads of i alone
 //     using gives = Fields<...>;   the fields to which it contributes
 //     auto operator()(pair) const  the contribution, give<gives>(pair, ...)
-// It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both vanish
-// at the edge of the support, and the sweep fills unused lanes with such pairs.
+// It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
+// vanish at the edge of the support, and the sweep fills unused lanes with such pairs.
 
 #include "coronet/pairs/pair.hpp"
 

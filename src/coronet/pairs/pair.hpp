@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What a law sees of two neighbours: the values of i and of j by name (ij.i.rho, ij.j.v), where they stand to each other,
-// and the kernel between them. Same words in every term, so i and j cannot be crossed silently.
+// What a law sees of two neighbours: the values of i and of j by name (ij.i.rho, ij.j.v), where they stand to each
+// other, and the kernel between them. Same words in every term, so i and j cannot be crossed silently.
 
 #include "coronet/fields/vocabulary.hpp"
 

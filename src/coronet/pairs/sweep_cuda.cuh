@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The sweep on a GPU: the same laws and closes as on the host (pairs/sweep.hpp), one thread a particle, one neighbour at a
-// time. The loop itself is Thrust's.
+// The sweep on a GPU: the same laws and closes as on the host (pairs/sweep.hpp), one thread a particle, one neighbour
+// at a time. The loop itself is Thrust's.
 
 #include <thrust/execution_policy.h>
 #include <thrust/for_each.h>
@@ -66,7 +66,8 @@ struct DeviceRowSum {
 
 }  // namespace detail
 
-/// Sums `law` over the neighbours of each of `count` particles, all in device memory, and ends each with close(i, sums).
+/// Sums `law` over the neighbours of each of `count` particles, all in device memory, and ends each with close(i,
+/// sums).
 template <int D, class Law, class Close>
 void sweep_on_device(View<D> const& view, DeviceRows rows, std::size_t count, Kernel const& kernel, Law const& law,
                      Close const& close) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// When something is due: at 0, every, 2 every, ... and at the end. Times are counted, not summed up, so they do not drift;
-// two that differ by round-off only are the same.
+// When something is due: at 0, every, 2 every, ... and at the end. Times are counted, not summed up, so they do not
+// drift; two that differ by round-off only are the same.
 
 #include <algorithm>
 #include <cstdint>

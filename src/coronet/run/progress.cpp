@@ -35,8 +35,8 @@ void Progress::show(double time, std::int64_t steps, bool last) {
     double const wall = std::chrono::duration<double>(now - start_).count(), share = time / end_;
     double const speed = static_cast<double>(steps) / wall;
     std::string const line =
-        fmt::format("t = {:.6g} s  {:5.1f} %  {:.3g} steps/s  {:.3g} particle-steps/s  {} left", time, 100 * share, speed,
-                    speed * static_cast<double>(particles_), share > 0 ? readable(wall / share - wall) : "?");
+        fmt::format("t = {:.6g} s  {:5.1f} %  {:.3g} steps/s  {:.3g} particle-steps/s  {} left", time, 100 * share,
+                    speed, speed * static_cast<double>(particles_), share > 0 ? readable(wall / share - wall) : "?");
     if (terminal_) fmt::print(stderr, "\r{:<100}", line);
     else fmt::print(stderr, "{}\n", line);
     std::fflush(stderr);

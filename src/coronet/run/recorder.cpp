@@ -4,8 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
+#include <nlohmann/json.hpp>
 
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/totals.hpp"
@@ -20,8 +20,9 @@ namespace {
 /// The fields a reader of a frame looks for, under the names VTK's users would give them.
 template <int D>
 std::vector<FrameField> frame_fields(Particles<D> const& particles) {
-    constexpr std::array shown{Velocity::number, Acceleration::number, Density::number, Pressure::number,   Mass::number,
-                               Volume::number,   Stress::number,       Surface::number, Exterior::number, FellBack::number};
+    constexpr std::array shown{Velocity::number, Acceleration::number, Density::number, Pressure::number,
+                               Mass::number,     Volume::number,       Stress::number,  Surface::number,
+                               Exterior::number, FellBack::number};
     constexpr std::array names{"velocity", "acceleration", "density", "pressure", "mass",
                                "volume",   "stress",       "surface", "exterior", "singular_matrix"};
     std::size_t const n = particles.owned();
@@ -66,8 +67,8 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
         arrangement_ = scheme_.arrangement();
         auto const& particles = scheme_.particles();
         auto const sum = totals(particles);
-        std::vector<double> row{time, static_cast<double>(step), dt, static_cast<double>(particles.owned()), sum.mass,
-                                sum.volume};
+        std::vector<double> row{
+            time, static_cast<double>(step), dt, static_cast<double>(particles.owned()), sum.mass, sum.volume};
         auto const vector = [&](Vector<double, D> const& v) { row.insert(row.end(), v.c, v.c + D); };
         vector(sum.momentum);
         row.push_back(sum.angular_momentum[2]);
@@ -101,7 +102,8 @@ void Recorder<D>::frame(double time) {
 }
 
 template <int D>
-void Recorder<D>::summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds) {
+void Recorder<D>::summary(std::string const& status, std::string const& message, std::int64_t steps,
+                          double wall_seconds) {
     auto const& counters = scheme_.counters();
     auto const particles = scheme_.particles().owned();
     rusage usage{};

@@ -27,7 +27,8 @@ void prepare(fs::path const& directory, bool overwrite) {
         throw CaseError(fmt::format("{} already holds a run: choose another --out, or give --overwrite to replace it",
                                     directory.string()));
     std::error_code failed;
-    for (char const* const name : {"case.toml", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
+    for (char const* const name :
+         {"case.toml", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
         if (holds_run) fs::remove_all(directory / name, failed);
     fs::create_directories(directory / "frames", failed);
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
@@ -62,7 +63,8 @@ RunStatus run(Case const& c, RunOptions const& options) {
             StepLimit const limit = scheme->time_limit();
             double const wanted = c.time.step > 0 ? c.time.step : limit.step;
             if (!(wanted > 1e-12 * c.time.end))
-                throw RunError(fmt::format("the stable time step fell to {:.3g} s because of {}", wanted, limit.reason));
+                throw RunError(
+                    fmt::format("the stable time step fell to {:.3g} s because of {}", wanted, limit.reason));
             double const due = std::min(rows.next(), frames.next());
             dt = fit_step(wanted, due - time);
             scheme->advance(time, dt);

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per sweep.
-// Each costs a pair loop per dimension to compile; a test holds their number to a budget.
+// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per
+// sweep. Each costs a pair loop per dimension to compile; a test holds their number to a budget.
 
 #include <algorithm>
 #include <limits>
 
 #include "coronet/schemes/pair_terms.hpp"
+#include "coronet/terms/continuity.hpp"
 #include "coronet/terms/exterior_mark.hpp"
 #include "coronet/terms/moments.hpp"
+#include "coronet/terms/morris_viscosity.hpp"
+#include "coronet/terms/pressure_gradient.hpp"
 #include "coronet/terms/stress_divergence.hpp"
 #include "coronet/terms/velocity_gradient.hpp"
 
@@ -21,6 +24,10 @@ using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;
 using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;
 using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, PairTerms>;
+
+// Plain gradients and a viscosity that needs no velocity gradient: everything in one sweep.
+using PlainSweep = Sum<PressureGradient, MorrisViscosity, Continuity>;
+using PlainSweepAndPairTerms = Sum<PressureGradient, MorrisViscosity, Continuity, PairTerms>;
 
 /// Whether any of the case's pair terms does something: a term may say active() = false, without coefficients set.
 template <class... Terms>

@@ -19,10 +19,10 @@ struct StepLimit {
 
 /// What a scheme counts over a run.
 struct Counters {
-    std::int64_t evaluations = 0;         ///< evaluations of the right-hand side
-    std::int64_t listings = 0;            ///< times the neighbours were listed
-    std::int64_t singular_matrices = 0;   ///< gradients that fell back to plain SPH, summed over evaluations
-    std::int64_t singular_now = 0;        ///< the same in the last evaluation
+    std::int64_t evaluations = 0;        ///< evaluations of the right-hand side
+    std::int64_t listings = 0;           ///< times the neighbours were listed
+    std::int64_t singular_matrices = 0;  ///< gradients that fell back to plain SPH, summed over evaluations
+    std::int64_t singular_now = 0;       ///< the same in the last evaluation
 };
 
 /// How the particles stand to each other.

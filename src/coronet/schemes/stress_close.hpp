@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// How the gradient sweep ends at a particle: from its sums to velocity gradient, rate of density and stress, in the form
-// that the force sweep reads. One close for each gradient; the same code on the host and on a GPU.
+// How the gradient sweep ends at a particle: from its sums to velocity gradient, rate of density and stress, in the
+// form that the force sweep reads. One close for each gradient; the same code on the host and on a GPU.
 
 #include "coronet/fields/particles.hpp"
 #include "coronet/materials/newtonian.hpp"

@@ -41,11 +41,12 @@ void WeaklyCompressible<D>::check_state() const {
     });
     if (first == none) return;
     std::size_t const i = static_cast<std::size_t>(first);
-    throw RunError(fmt::format("particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
-                               "acceleration {:.4g} m/s^2",
-                               particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
-                               view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
-                               std::sqrt(norm2(view.template get<Acceleration>(i)))));
+    throw RunError(
+        fmt::format("particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
+                    "acceleration {:.4g} m/s^2",
+                    particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
+                    view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
+                    std::sqrt(norm2(view.template get<Acceleration>(i)))));
 }
 
 template <int D>
@@ -73,7 +74,8 @@ void WeaklyCompressible<D>::advance(double time, double step) {
             auto const drift = mean ? 0.5 * (v0 + v) : view.template get<Velocity>(i);
             view.template set<Position>(i, view.template get<PositionBefore>(i) + step * drift);
             view.template set<Velocity>(i, v);
-            view.template set<Density>(i, view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
+            view.template set<Density>(i,
+                                       view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
         });
     });
 }
@@ -82,8 +84,12 @@ template <int D>
 void WeaklyCompressible<D>::evaluate(double time) {
     phases_.act("neighbours", [&] { update_neighbours(); });
     phases_.act("state", [&] { update_state(); });
-    phases_.act("gradients", [&] { gradients_and_stress(); });
-    phases_.act("forces", [&] { forces(); });
+    if (one_sweep()) {
+        phases_.act("rates", [&] { rates_in_one_sweep(); });
+    } else {
+        phases_.act("gradients", [&] { gradients_and_stress(); });
+        phases_.act("forces", [&] { forces(); });
+    }
     if (settings_.body_force)
         phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), particles_.owned()); });
     ++counters_.evaluations;
@@ -138,8 +144,8 @@ void WeaklyCompressible<D>::gradients_and_stress() {
             sweep(particles_, neighbours_, exterior_, kernel, CorrectedGradients{}, corrected);
             break;
     }
-    counters_.singular_now = static_cast<std::int64_t>(sum_over(
-        particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+    counters_.singular_now = static_cast<std::int64_t>(
+        sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
     counters_.singular_matrices += counters_.singular_now;
 }
 
@@ -159,6 +165,28 @@ void WeaklyCompressible<D>::forces() {
         if (plain) forces_of(PlainForces{});
         else forces_of(CorrectedForces{});
     }
+}
+
+/// Whether no stress is needed: plain gradients, and no viscosity or one that acts between velocities.
+template <int D>
+bool WeaklyCompressible<D>::one_sweep() const {
+    return settings_.gradient == Gradient::sph &&
+           (settings_.viscous_force == ViscousForce::morris || settings_.liquid.viscosity == 0);
+}
+
+template <int D>
+void WeaklyCompressible<D>::rates_in_one_sweep() {
+    auto const view = particles_.view();
+    auto const g = settings_.gravity;
+    MorrisViscosity const viscosity{settings_.liquid.viscosity};
+    auto const rates_of = [&](auto const& law) {
+        sweep(particles_, neighbours_, neighbours_.all(), settings_.kernel, law, [=](std::size_t i, auto const& sums) {
+            view.template set<Acceleration>(i, sums.dv + g);
+            view.template set<DensityRate>(i, sums.drho);
+        });
+    };
+    if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
+    else rates_of(PlainSweep{{}, viscosity, {}});
 }
 
 template <int D>
@@ -207,7 +235,9 @@ Arrangement WeaklyCompressible<D>::arrangement() {
             }
             return row;
         },
-        [](Seen const& a, Seen const& b) { return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)}; });
+        [](Seen const& a, Seen const& b) {
+            return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)};
+        });
     return {seen.pairs / static_cast<double>(particles_.owned()), std::sqrt(seen.nearest2)};
 }
 

@@ -6,7 +6,8 @@
 //     dv/dt   = (1/rho) div sigma (61), the dual of (60), plus gravity, body force and the case's pair terms
 //     p       = p(rho),  sigma = -p I + 2 eta d  (8, 5, 6, 62)
 // with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
-// In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the half.
+// In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
+// half.
 
 #include <functional>
 
@@ -21,6 +22,11 @@ namespace coronet {
 
 enum class Gradient { sph, cph, fpm };
 
+enum class ViscousForce {
+    stress,  ///< the dual of the velocity gradient, Fang et al. (2009) Eq 61
+    morris   ///< Morris, Fox and Zhu (1997), with plain gradients only
+};
+
 /// How the corrector moves the particles over a whole step.
 enum class PositionUpdate {
     mean_velocity,     ///< by the mean of old and new velocity: conserves angular momentum to round-off
@@ -34,6 +40,7 @@ public:
         Kernel kernel;
         double skin = 0;  ///< [m]
         Gradient gradient = Gradient::fpm;
+        ViscousForce viscous_force = ViscousForce::stress;
         PositionUpdate position_update = PositionUpdate::mean_velocity;
         double courant = 0.25;  ///< safe factor on h/c
         EquationOfState equation_of_state;
@@ -67,6 +74,8 @@ private:
     void update_state();
     void gradients_and_stress();
     void forces();
+    bool one_sweep() const;
+    void rates_in_one_sweep();
     void check_state() const;
 
     Settings settings_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Artificial viscosity: a pressure between approaching particles that removes energy where the method would be unstable,
+// Artificial viscosity: a pressure between approaching particles that removes energy where the method would be
+// unstable,
 //     dv_i/dt = - sum_j m_j Pi_ij grad W_ij,
 //     Pi_ij = (-alpha c_ij phi_ij + beta phi_ij^2)/rho_ij  if v_ij . x_ij < 0, else 0,
 //     phi_ij = h v_ij . x_ij/(|x_ij|^2 + 0.01 h^2),
-// Fang et al. (2009) Eqs 97-103 after Monaghan; c_ij and rho_ij are means. The gradient is the plain one: the force then
-// points along the pair and conserves linear and angular momentum with any gradient elsewhere.
+// Fang et al. (2009) Eqs 97-103 after Monaghan; c_ij and rho_ij are means. The gradient is the plain one: the force
+// then points along the pair and conserves linear and angular momentum with any gradient elsewhere.
 
 #include "coronet/pairs/law.hpp"
 
@@ -22,12 +23,16 @@ struct ArtificialViscosity {
 
     template <class Keys>
     void describe(Keys& keys) {
-        keys.number({.path = "method.artificial_viscosity", .unit = "-",
-                     .meaning = "linear coefficient alpha of Monaghan's artificial viscosity", .at_least = 0},
+        keys.number({.path = "method.artificial_viscosity",
+                     .unit = "-",
+                     .meaning = "linear coefficient alpha of Monaghan's artificial viscosity",
+                     .at_least = 0},
                     alpha);
         if (beta < 0) beta = 2 * alpha;
-        keys.number({.path = "method.artificial_viscosity_beta", .unit = "-",
-                     .meaning = "its quadratic coefficient beta; by default twice alpha", .at_least = 0},
+        keys.number({.path = "method.artificial_viscosity_beta",
+                     .unit = "-",
+                     .meaning = "its quadratic coefficient beta; by default twice alpha",
+                     .at_least = 0},
                     beta);
     }
     bool active() const { return alpha > 0 || beta > 0; }

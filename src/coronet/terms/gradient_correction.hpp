@@ -9,8 +9,8 @@
 // exact for linear functions on any arrangement of particles. The plain SPH gradient is L = I, q = 0.
 //
 // Where the neighbours do not span the space (a lone particle, a row of them) S is singular. If the condition number
-// |S| |S^-1| / D (Frobenius norms) exceeds `worst_condition`, or S is not invertible at all, the particle falls back to the
-// plain gradient, which always exists, and says so: schemes count such particles.
+// |S| |S^-1| / D (Frobenius norms) exceeds `worst_condition`, or S is not invertible at all, the particle falls back to
+// the plain gradient, which always exists, and says so: schemes count such particles.
 
 #include "coronet/core/tensor.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The sums from which a sampled function and its gradient are interpolated: Fang et al. (2009) Eqs 17 and 18, and what the
-// finite particle method needs beside its moments. The neighbour sum lacks j = i, which adds V_i f_i W(0) to SampleSum.
+// The sums from which a sampled function and its gradient are interpolated: Fang et al. (2009) Eqs 17 and 18, and what
+// the finite particle method needs beside its moments. The neighbour sum lacks j = i, which adds V_i f_i W(0) to
+// SampleSum.
 
 #include "coronet/pairs/law.hpp"
 

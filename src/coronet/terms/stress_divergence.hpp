@@ -33,8 +33,7 @@ struct CorrectedStressDivergence {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(
-            ij, (ij.j.V / ij.i.rho) * ((ij.i.T + ij.j.T) * ij.gradW + ij.W * (ij.j.s - ij.i.s)));
+        return give<gives>(ij, (ij.j.V / ij.i.rho) * ((ij.i.T + ij.j.T) * ij.gradW + ij.W * (ij.j.s - ij.i.s)));
     }
 };
 
