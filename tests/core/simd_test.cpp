@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -38,17 +39,36 @@ TEST(Pack, IsLoadedFromAnyAddress) {
     }
 }
 
-TEST(Pack, IsGatheredFromWhereItsIndicesPoint) {
-    auto const numbers = distinct(1000);
+TEST(Pack, IsFetchedFromTheRecordsItsIndicesPointTo) {
+    constexpr std::size_t records = 200, width = 12;
+    auto const numbers = distinct(records * width + 4);
+    alignas(64) static double first[records * width];
+    std::copy_n(numbers.begin(), records * width, first);
     std::mt19937 engine(1);
-    std::uniform_int_distribution<Index> place(0, 999);
+    std::uniform_int_distribution<Index> place(0, records - 1);
     std::vector<Index> index(100 + pack_size);
     for (Index& i : index) i = place(engine);
-    index[0] = index[1] = 0;  // the ends, and a place twice
-    index[2] = 999;
-    for (int start = 0; start < 100; ++start) {
-        auto const pack = coronet::gather(numbers.data(), index.data() + start);
-        for (int k = 0; k < pack_size; ++k) EXPECT_EQ(lane(pack, k), numbers[index[start + k]]);
+    index[0] = index[1] = 0;  // the ends, and a record twice
+    index[2] = records - 1;
+    for (std::size_t group = 0; group < width; group += 4)
+        for (int start = 0; start < 100; ++start) {
+            Pack<double> component[4];
+            coronet::fetch_four(first + group, index.data() + start, width, component);
+            for (std::size_t c = 0; c < 4; ++c)
+                for (int k = 0; k < pack_size; ++k)
+                    EXPECT_EQ(lane(component[c], k),
+                              first[static_cast<std::size_t>(index[start + k]) * width + group + c]);
+        }
+}
+
+TEST(Pack, InverseRootIsRightToTwoUnitsInTheLastPlace) {
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> exponent(-60, 60);
+    for (int n = 0; n < 10000; ++n) {
+        double numbers[pack_size];
+        for (double& number : numbers) number = std::pow(10.0, exponent(engine));
+        auto const root = coronet::inverse_root(coronet::load(numbers));
+        for (int k = 0; k < pack_size; ++k) EXPECT_NEAR(lane(root, k) * std::sqrt(numbers[k]), 1, 5e-16) << numbers[k];
     }
 }
 
@@ -82,13 +102,6 @@ void expect_squeezed(Squeeze const& squeeze, Lane const& value_of) {
             }
         for (int k = pack_size; k < 2 * pack_size; ++k) EXPECT_EQ(to[k], untouched) << "of lanes " << held;
     }
-}
-
-TEST(Pack, SqueezesTheChosenNumbersToTheFront) {
-    auto const numbers = distinct(pack_size);
-    auto const pack = coronet::load(numbers.data());
-    expect_squeezed<double>([&](unsigned held, double* to) { coronet::squeeze(held, pack, to); },
-                            [&](int k) { return numbers[k]; });
 }
 
 TEST(Pack, SqueezesTheChosenIndicesToTheFront) {
