@@ -21,37 +21,61 @@ def latest(runs):
 def time_axis(axes, runs):
     end = latest(runs).series["time"][-1]
     factor, unit = style.prefixed(end, "s")
-    axes.set_xlim(0, end * factor or 1)
+    end = end * factor or 1
+    axes.set_xlim(-0.012 * end, 1.018 * end)  # room for a marker at either end
     axes.set_xlabel(f"time ({unit})")
     return factor
 
 
 def compare(axes, runs, column, factor, scale=1.0, named=True):
-    """One column of every run over time, and under them the exact one of the run that went furthest."""
+    """A column of every run that has it over time, and under them the exact one of the run that went furthest."""
     furthest = latest(runs)
     if furthest.has("exact_" + column):
         axes.plot(factor * furthest.series["time"], scale * furthest.series["exact_" + column],
                   color=style.INK, lw=1.0, label="exact" if named else None, zorder=4)
     for k, (run, colour, marker, label) in enumerate(style.styles(runs)):
-        time, values = factor * run.series["time"], scale * run.series[column]
-        axes.plot(time, values, color=colour, lw=1.1, zorder=3)
-        # A dozen markers each, which take turns along the curve so that none hides another.
-        step = max(len(time) // 12, 1)
-        some = slice(int(step * (k + 0.5) / len(runs)), None, step)
-        axes.plot(time[some], values[some], marker, color=colour, ms=4.2, mfc="white", mew=1.2,
-                  label=label if named else None, zorder=5)
+        if run.has(column):
+            marked(axes, factor * run.series["time"], scale * run.series[column], (k + 0.5) / len(runs),
+                   color=colour, marker=marker, label=label if named else None)
+
+
+def marked(axes, time, values, turn, color, marker, label):
+    """A curve with a dozen markers; those of several runs take turns along it so that none hides another."""
+    step = max(len(time) // 12, 1)
+    some = slice(int(step * turn), None, step)
+    axes.plot(time, values, color=color, lw=1.1, zorder=3)
+    axes.plot(time[some], values[some], marker, color=color, ms=4.2, mfc="white", mew=1.2, label=label, zorder=5)
 
 
 def draw_semi_axes(axes, runs):
     factor = time_axis(axes, runs)
-    shown = ["semi_axis_" + "xyz"[k] for k in runs[0].plane]
+    shown = semi_axis_columns(runs)
     for column in shown:
         compare(axes, runs, column, factor, named=column == shown[0])
         end = latest(runs).series["exact_" + column][-1]
         axes.annotate(f"$a_{column[-1]}$", (1, end), xycoords=("axes fraction", "data"), xytext=(6, 0),
                       textcoords="offset points", va="center", fontsize=10)
     axes.set_ylim(bottom=0)
-    axes.set_ylabel("semi-axes (m)")
+    style.length_axis(axes.yaxis, "semi-axes", axes.get_ylim())
+
+
+def semi_axis_columns(runs):
+    return ["semi_axis_" + "xyz"[k] for k in runs[0].plane]
+
+
+def draw_semi_axis_error(axes, runs):
+    """The worse of the two semi-axes. At the start they agree by definition, so a logarithm begins after it."""
+    factor, largest = time_axis(axes, runs), 1e-6
+    for k, (run, colour, marker, label) in enumerate(style.styles(runs)):
+        errors = [abs(run.series[column] / run.series["exact_" + column] - 1) for column in semi_axis_columns(runs)]
+        worst = 100 * numpy.max(errors, axis=0)
+        marked(axes, factor * run.series["time"][1:], worst[1:], (k + 0.5) / len(runs),
+               color=colour, marker=marker, label=label)
+        largest = max(largest, worst.max())
+    axes.set_yscale("log", nonpositive="clip")
+    axes.set_ylim(1e-4 * largest, 2 * largest)  # the rest is the climb from zero
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.set_ylabel("error of the semi-axes (%)")
 
 
 def draw_centre_pressure(axes, runs):
@@ -67,10 +91,20 @@ def draw_centre_pressure(axes, runs):
     axes.set_ylabel(f"pressure at the centre ({unit})")
 
 
+def stacked(count):
+    """Panels above each other over one axis of time."""
+    drawing = Figure(figsize=(SIZE[0], 0.6 + 2.4 * count), layout="constrained")
+    panels = drawing.subplots(count, sharex=True, squeeze=False)[:, 0]
+    drawing.align_ylabels()
+    return drawing, panels
+
+
 def semi_axes(runs):
-    drawing, axes = figure()
-    draw_semi_axes(axes, runs)
-    axes.legend()
+    drawing, (above, below) = stacked(2)
+    draw_semi_axes(above, runs)
+    draw_semi_axis_error(below, runs)
+    above.set_xlabel(None)
+    above.legend()
     return drawing
 
 
@@ -99,6 +133,6 @@ def angular_momentum(runs):
 def corner_radius(runs):
     drawing, axes = figure()
     compare(axes, runs, "corner_radius", time_axis(axes, runs))
-    axes.set_ylabel("distance of the corners from the centre (m)")
+    style.length_axis(axes.yaxis, "distance of the corners from the centre", axes.get_ylim())
     axes.legend()
     return drawing

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stretching drop at one glance: its particles at the end of every run in the exact outline; and
-the semi-axes and the centre pressure over time against theory."""
+"""The stretching drop at one glance: its particles at the end of every run in the exact outline, and over time
+how far its semi-axes and its centre pressure are from theory."""
+import numpy
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 
@@ -26,14 +27,24 @@ def outline(run, time):
     return [run.at("exact_semi_axis_" + "xyz"[k], time) for k in run.plane]
 
 
+def exact_scale(runs, frames):
+    """The colours of the exact pressure, zero at the surface and the largest at the centre. A method whose pressures
+    lie all over shows by the colours of the arrows; scaled by its noise, the good ones would show nothing."""
+    centre = [float(run.at("exact_centre_pressure", frame.time)) for run, frame in zip(runs, frames)]
+    low, high = min(0.0, *centre), max(0.0, *centre)
+    margin = 0.15 * (high - low)
+    pressure = numpy.concatenate([frame.pressure for frame in frames])
+    return Scale.between(low - margin, high + margin, pressure, style.TENSION_MAP)
+
+
 def upright(runs, frames, outlines, reach):
     """Tall drops stand side by side at the left, the curves one above the other at the right."""
     high = 4.3
     wide = max(high * reach[0] / reach[1], 0.85)
     bar = LEFT + len(runs) * (wide + GAP)
-    right = bar + 1.3
+    right = bar + 1.35
     drawing = Figure(figsize=(right + CURVES + 0.3, BOTTOM + high + TOP))
-    scale = Scale.over(frames)
+    scale = exact_scale(runs, frames)
     drops = [place(drawing, LEFT + k * (wide + GAP), BOTTOM, wide, high) for k in range(len(runs))]
     draw_drops(drops, runs, frames, outlines, reach, scale)
     scale.bar(drawing, cax=place(drawing, bar, BOTTOM + 0.15 * high, 0.11, 0.7 * high))
@@ -51,9 +62,9 @@ def lying(runs, frames, outlines, reach):
     wide = min((total - GAP * (len(runs) - 1)) / len(runs), 4.5)
     high = wide * reach[1] / reach[0]
     below = 2.7
-    floor = BOTTOM + below + 0.75
+    floor = BOTTOM + below + 0.95
     drawing = Figure(figsize=(LEFT + total + 1.0, floor + high + TOP))
-    scale = Scale.over(frames)
+    scale = exact_scale(runs, frames)
     drops = [place(drawing, LEFT + k * (wide + GAP), floor, wide, high) for k in range(len(runs))]
     draw_drops(drops, runs, frames, outlines, reach, scale)
     scale.bar(drawing, cax=place(drawing, LEFT + len(runs) * (wide + GAP), floor, 0.11, high))
@@ -71,19 +82,25 @@ def place(drawing, x, y, wide, high):
 def draw_drops(drops, runs, frames, outlines, reach, scale):
     time = title_time(frames)
     for axes, run, frame, (a, b), label in zip(drops, runs, frames, outlines, style.labels(runs)):
-        draw_particles(axes, frame, run.spacing, scale)
+        draw_particles(axes, frame, scale, fill=1.42)
         axes.add_patch(Ellipse((0, 0), 2 * a, 2 * b, fill=False, ec=style.INK, lw=1.0, ls=(0, (4, 2.5)),
                                zorder=3))
-        axes.set(xlim=(-reach[0], reach[0]), ylim=(-reach[1], reach[1]), xlabel="$x$ (m)")
+        axes.set(xlim=(-reach[0], reach[0]), ylim=(-reach[1], reach[1]))
+        style.length_axis(axes.xaxis, "$x$", reach)
+        style.length_axis(axes.yaxis, f"${'xyz'[run.plane[1]]}$", reach)
+        if axes is not drops[0]:
+            axes.set_ylabel(None)
         axes.set_title(label, pad=19, weight="bold")
-        axes.annotate(time(frame), (0.5, 1), xycoords="axes fraction", xytext=(0, 7),
+        axes.annotate(time(frame.time), (0.5, 1), xycoords="axes fraction", xytext=(0, 7),
                       textcoords="offset points", ha="center", fontsize=8.5, color=style.GREY)
         axes.spines[:].set_visible(False)
         axes.tick_params(left=axes is drops[0], labelleft=axes is drops[0])
-    drops[0].set_ylabel(f"${'xyz'[runs[0].plane[1]]}$ (m)")
 
 
 def draw_curves(pair, runs):
-    curves.draw_semi_axes(pair[0], runs)
+    curves.draw_semi_axis_error(pair[0], runs)
     curves.draw_centre_pressure(pair[1], runs)
-    pair[0].legend(ncol=2)
+    above = {"xycoords": "axes fraction", "textcoords": "offset points"}
+    pair[0].legend(*pair[1].get_legend_handles_labels(), ncol=4, loc="lower left", bbox_to_anchor=(-0.02, 1.0),
+                   borderaxespad=0.2, columnspacing=1.6, handletextpad=0.5)
+    pair[0].annotate(style.about(runs), (0, 1), xytext=(0, 24), fontsize=8.5, color=style.GREY, **above)

@@ -14,6 +14,7 @@ class Frame:
     time: float
     positions: numpy.ndarray  # two coordinates per particle, in the plane shown
     pressure: numpy.ndarray
+    cell: numpy.ndarray  # the two sizes of what a particle fills
 
 
 def read_frame(run, time, path):
@@ -29,11 +30,12 @@ def read_frame(run, time, path):
         raise Mistake(f"{path} has no field 'pressure' to colour the particles by.")
     points, pressure = vtk_to_numpy(grid.GetPoints().GetData()), vtk_to_numpy(pressure)
 
+    cell = run.cell(time)
     shown = numpy.isfinite(points).all(axis=1)  # a run that diverged has lost some
     if run.case.get("dimension") == 3:
         across = 3 - sum(run.plane)
         # Within 3/4 of a spacing is one layer where particles lie in the plane, two where they lie beside it.
-        shown &= abs(points[:, across]) < 0.75 * run.spacing
+        shown &= abs(points[:, across]) < 0.75 * cell[across]
     if not shown.any():
         raise Mistake(f"{path} has no particles to show.")
-    return Frame(time, points[shown][:, run.plane], pressure[shown])
+    return Frame(time, points[shown][:, run.plane], pressure[shown], cell[list(run.plane)])

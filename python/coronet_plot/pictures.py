@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the particles, coloured by pressure: discs of a spacing, equal axes, one colour scale."""
+"""Pictures of the particles, coloured by pressure: each as wide as the liquid it stands for, in equal axes."""
 from dataclasses import dataclass
 
 import numpy
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import EllipseCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
@@ -15,30 +15,36 @@ from coronet_plot.frame import read_frame
 
 @dataclass
 class Scale:
-    """One colour scale for all frames of a figure: a hundredth of the particles may lie beyond either end."""
+    """One colour scale for all frames of a figure. What lies beyond an end has the colour of the bar's arrow there."""
     norm: Normalize
     unit: str
     factor: float
     extend: str
+    colours: Colormap
 
     @classmethod
     def over(cls, frames):
+        """From the pressures found: a hundredth of the particles may lie beyond either end."""
         pressure = numpy.concatenate([frame.pressure for frame in frames])
         pressure = pressure[numpy.isfinite(pressure)]
         pressure = pressure if pressure.size else numpy.zeros(1)
         low, high = numpy.percentile(pressure, [1, 99])
         if 0 < low < 0.25 * high:
             low = 0.0  # the free surface is at zero: let the scale begin there
+        return cls.between(low, high, pressure, style.PRESSURE_MAP)
+
+    @classmethod
+    def between(cls, low, high, pressure, colours):
         if high <= low:
             low, high = low - 1, high + 1
         factor, unit = style.prefixed([low, high], "Pa")
         margin = 0.02 * (high - low)
         below, above = pressure.min() < low - margin, pressure.max() > high + margin
         extend = "both" if below and above else "min" if below else "max" if above else "neither"
-        return cls(Normalize(factor * low, factor * high), unit, factor, extend)
+        return cls(Normalize(factor * low, factor * high), unit, factor, extend, colours)
 
     def bar(self, drawing, **where):
-        mappable = ScalarMappable(self.norm, style.PRESSURE_MAP)
+        mappable = ScalarMappable(self.norm, self.colours)
         bar = drawing.colorbar(mappable, label=f"pressure ({self.unit})", extend=self.extend,
                                ticks=MaxNLocator(5), **where)
         bar.outline.set_visible(False)
@@ -46,11 +52,12 @@ class Scale:
         return bar
 
 
-def draw_particles(axes, frame, spacing, scale):
-    size = numpy.full(len(frame.positions), 1.2 * spacing)
+def draw_particles(axes, frame, scale, fill=0.95):
+    """Up to a `fill` of 1 particles can be told apart, from the root of 2 on they are one liquid."""
+    across, up = (numpy.full(len(frame.positions), fill * size) for size in frame.cell)
     axes.add_collection(EllipseCollection(
-        size, size, 0 * size, units="xy", offsets=frame.positions, offset_transform=axes.transData,
-        array=scale.factor * frame.pressure, norm=scale.norm, cmap=style.PRESSURE_MAP, linewidths=0))
+        across, up, 0 * up, units="xy", offsets=frame.positions, offset_transform=axes.transData,
+        array=scale.factor * frame.pressure, norm=scale.norm, cmap=scale.colours, linewidths=0))
     axes.set_aspect("equal")
 
 
@@ -61,14 +68,14 @@ def extent(frames, margin):
 
 
 def title_time(frames):
-    """A function that writes the time of a frame, in the unit that suits the last of them."""
+    """A function that writes a time, in the unit that suits the last of the frames."""
     factor, unit = style.prefixed([frame.time for frame in frames], "s")
-    return lambda frame: f"$t$ = {factor * frame.time:.4g} {unit}"
+    return lambda time: f"$t$ = {factor * time:.4g} {unit}"
 
 
-def panels(frames, columns, spacings, titles, plane):
+def panels(frames, columns, titles, plane, heading):
     """Frames side by side in rows of `columns`, all with the same limits and the same colours."""
-    low, high = extent(frames, 1.5 * max(spacings))
+    low, high = extent(frames, 1.5 * max(frame.cell.max() for frame in frames))
     wide, tall = high - low
     rows = -(-len(frames) // columns)
     width = min(9.0 / columns, 3.6 * wide / tall)
@@ -76,42 +83,46 @@ def panels(frames, columns, spacings, titles, plane):
                      layout="constrained")
     grid = drawing.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     scale = Scale.over(frames)
-    for axes, frame, spacing, title in zip(grid.flat, frames, spacings, titles):
-        draw_particles(axes, frame, spacing, scale)
+    for axes, frame, title in zip(grid.flat, frames, titles):
+        draw_particles(axes, frame, scale)
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set_title(title)
     for axes in grid.flat[len(frames):]:
         axes.set_visible(False)
     for axes in grid[-1]:
-        axes.set_xlabel("$x$ (m)")
+        style.length_axis(axes.xaxis, "$x$", (low, high))
     for axes in grid[:, 0]:
-        axes.set_ylabel(f"${'xyz'[plane[1]]}$ (m)")
+        style.length_axis(axes.yaxis, f"${'xyz'[plane[1]]}$", (low, high))
+    drawing.suptitle(heading, fontsize=10, weight="bold")
     scale.bar(drawing, ax=grid, pad=0.02, aspect=30 * rows, shrink=0.8, extendfrac=0.03)
     return drawing
 
 
 def particles(runs):
-    """The first frame of the first run, the last, and up to two between."""
+    """The first frame of the first run, the last, and up to two between; and where it failed, if it did."""
     run = runs[0]
     chosen = sorted(set(numpy.linspace(0, len(run.frames) - 1, 4).round().astype(int)))
     frames = [read_frame(run, *run.frames[k]) for k in chosen]
     wide, tall = numpy.subtract(*extent(frames, 0.0)[::-1])
     columns = len(frames) if wide < 1.6 * tall else min(2, len(frames))
     time = title_time(frames)
-    return panels(frames, columns, [run.spacing] * len(frames), [time(frame) for frame in frames], run.plane)
+    titles = [time(frame.time) for frame in frames]
+    if run.failed is not None:
+        titles[-1] += f"\n(failed at {time(run.failed)})"
+    heading = style.about([run], style.labels(runs)[0])
+    return panels(frames, columns, titles, run.plane, heading)
 
 
 def patch(runs):
     """A row per run at the two instants of Fang et al. 2009, Figs. 6-8; of a shorter run its last frames."""
-    frames, spacings, names = [], [], []
+    frames, names = [], []
     for run, name in zip(runs, style.labels(runs)):
         times = numpy.array([time for time, _ in run.frames])
         chosen = [abs(times - wanted).argmin() for wanted in (0.015, 0.02)]
         if times[-1] < 0.015 or chosen[0] == chosen[1]:
             chosen = [max(len(times) - 2, 0), len(times) - 1]
         frames += [read_frame(run, *run.frames[k]) for k in chosen]
-        spacings += 2 * [run.spacing]
         names += 2 * [name]
     time = title_time(frames)
-    titles = [f"{name},  {time(frame)}" for name, frame in zip(names, frames)]
-    return panels(frames, 2, spacings, titles, runs[0].plane)
+    titles = [f"{name},  {time(frame.time)}" for name, frame in zip(names, frames)]
+    return panels(frames, 2, titles, runs[0].plane, style.about(runs))

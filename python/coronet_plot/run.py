@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run left in its directory: the case, the series, and the list of its frames."""
+"""What a run left in its directory: the case, the series, the list of its frames, and how it ended."""
 import csv
 import json
+import re
 import tomllib
 from pathlib import Path
 
@@ -23,6 +24,7 @@ class Run:
         self.case = read_case(self.directory / "case.toml")
         self.series = read_series(self.directory / "series.csv")
         self.frames = read_frame_list(self.directory)
+        self.failed = read_failure(self.directory / "summary.json")
 
     def has(self, *columns):
         return all(column in self.series for column in columns)
@@ -35,7 +37,24 @@ class Run:
     def rotates(self):
         """Drift is relative, so a run that starts without angular momentum has none to show."""
         named = "rotating" in self.case.get("name", "") or self.has("angular_momentum_drift")
-        return named and self.has("angular_momentum_z") and self.series["angular_momentum_z"][0] != 0
+        found = self.has("angular_momentum_z") and self.series["angular_momentum_z"][0] != 0
+        return named and found and not self.driven
+
+    @property
+    def driven(self):
+        """Gravity or a body force changes momentum: what is conserved without them is not here."""
+        fluid = self.case.get("fluid", {})
+        return any(fluid.get("gravity", [])) or any(force != "0" for force in fluid.get("body_force", []))
+
+    @property
+    def value_probes(self):
+        """The probes of one value at one point, each with a column of its name."""
+        probes = self.case.get("probes", [])
+        return [probe for probe in probes if probe.get("kind") == "value" and self.has(probe.get("name"))]
+
+    @property
+    def name(self):
+        return self.case.get("name", self.directory.resolve().name)
 
     @property
     def spacing(self):
@@ -49,6 +68,14 @@ class Run:
     def plane(self):
         """The two axes that pictures show: x and y, or x and z where a spheroid has its own axis along z."""
         return (0, 2) if self.has("semi_axis_z") else (0, 1)
+
+    def cell(self, time):
+        """The sizes along x, y and z of what was a cube of a spacing at the start: the exact flow stretches it."""
+        sizes = numpy.full(3, self.spacing)
+        for k, column in enumerate("exact_semi_axis_" + axis for axis in "xyz"):
+            if self.has(column):
+                sizes[k] *= self.at(column, time) / self.series[column][0]
+        return sizes
 
     def at(self, column, time):
         return numpy.interp(time, self.series["time"], self.series[column])
@@ -78,6 +105,18 @@ def read_series(path):
     if "time" not in header:
         raise Mistake(f"{path} has no column 'time'.")
     return dict(zip(header, table.T))
+
+
+def read_failure(path):
+    """None, or the time at which the run failed, from its message. A run that goes on has no summary yet."""
+    try:
+        summary = json.loads(path.read_text())
+    except (OSError, ValueError):
+        return None
+    if not isinstance(summary, dict) or summary.get("status") != "failed":
+        return None
+    found = re.search(r"failed at t = ([-+.\de]+) s", str(summary.get("message")))
+    return float(found[1]) if found else float("nan")
 
 
 def read_frame_list(directory):

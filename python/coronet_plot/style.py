@@ -6,6 +6,7 @@ from itertools import cycle
 import matplotlib
 import numpy
 from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.ticker import ScalarFormatter
 
 matplotlib.use("Agg")
 
@@ -15,6 +16,8 @@ MARKERS = ["o", "s", "^", "D", "v", "P"]
 # Pale where the pressure is low, so that an outline along the free surface stands out from the particles.
 PRESSURE_MAP = LinearSegmentedColormap.from_list(
     "water", ["#bfdfe6", "#86c9cf", "#3d9fb8", "#2a6ea6", "#2a3f86", "#241a52"])
+# The same where the scale begins at zero pressure: what is in tension stands out.
+TENSION_MAP = PRESSURE_MAP.with_extremes(under="#e8b4a0")
 
 
 def use():
@@ -31,12 +34,46 @@ def use():
     })
 
 
-def prefixed(values, unit):
-    """The factor and the unit, such as 1e-6 and MPa, that bring the largest value between 1 and 1000."""
-    largest = numpy.nanmax(numpy.abs(values), initial=0.0)
-    power = 3 * int(numpy.floor(numpy.log10(largest) / 3)) if numpy.isfinite(largest) and largest > 0 else 0
+def prefixed(values, unit, least=1.0):
+    """The factor and the unit, such as 1e-6 and MPa: of the largest value there are `least` or more, up to 1000 times."""
+    sizes = numpy.abs(values)
+    largest = numpy.max(sizes, initial=0.0, where=numpy.isfinite(sizes))
+    power = 3 * int(numpy.floor(numpy.log10(largest / least) / 3)) if largest > 0 else 0
     power = min(max(power, -9), 9)
     return 10.0**-power, {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}[power] + unit
+
+
+class Scaled(ScalarFormatter):
+    """Writes ticks in another unit than that of the axis."""
+    def __init__(self, factor):
+        super().__init__(useOffset=False)
+        self.set_scientific(False)
+        self.factor = factor
+
+    def set_locs(self, locs):
+        super().set_locs(self.factor * numpy.asarray(locs))
+
+    def __call__(self, value, pos=None):
+        return super().__call__(self.factor * value, pos)
+
+
+def length(values):
+    """As `prefixed`, but half a metre stays in metres."""
+    return prefixed(values, "m", least=0.1)
+
+
+def length_axis(axis, name, values):
+    """Labels an axis in metres with the unit that suits lengths like these."""
+    factor, unit = length(values)
+    axis.set_major_formatter(Scaled(factor))
+    axis.set_label_text(f"{name} ({unit})")
+
+
+def about(runs, *further):
+    """What case a figure is of, and of how many particles."""
+    names = sorted({run.name for run in runs})
+    counts = sorted({int(run.series["particles"][0]) for run in runs if run.has("particles")})
+    return ", ".join([*names, *further, *[" or ".join(map(str, counts)) + " particles"] * bool(counts)])
 
 
 def labels(runs):

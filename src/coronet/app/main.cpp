@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include "coronet/app/plot.hpp"
@@ -47,6 +49,14 @@ int run(std::string const& name, std::vector<std::string> const& settings, RunOp
     RunStatus const status = run_case(c, options);
     fmt::print("{}\n", options.directory.string());
     return status == RunStatus::done ? done : interrupted_run;
+}
+
+/// GNU's OpenMP lets idle threads spin for long, which slows a run tenfold where the cores are shared. It reads the count
+/// when it is loaded, so the program sets a short one and starts itself anew.
+void let_idle_threads_sleep(char** argv) {
+    if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
+    setenv("GOMP_SPINCOUNT", "1000", 1);
+    execv("/proc/self/exe", argv);  // returns only where it fails: then threads spin
 }
 
 int start(int argc, char** argv) {
@@ -106,6 +116,7 @@ int start(int argc, char** argv) {
 }  // namespace coronet
 
 int main(int argc, char** argv) {
+    coronet::let_idle_threads_sleep(argv);
     try {
         return coronet::start(argc, argv);
     } catch (coronet::CaseError const& error) {

@@ -45,7 +45,9 @@ Formula::Formula(std::string const& text, std::map<std::string, double> const& p
         if (parser_->GetNumResults() != 1)
             throw CaseError(fmt::format("the formula '{}' has {} values, not one", text, parser_->GetNumResults()));
     } catch (mu::Parser::exception_type const& error) {
-        throw CaseError(fmt::format("the formula '{}' is not understood: {}", text, error.GetMsg()));
+        std::string complaint = error.GetMsg();
+        if (complaint.ends_with('.')) complaint.pop_back();
+        throw CaseError(fmt::format("the formula '{}' is not understood: {}", text, complaint));
     }
 }
 

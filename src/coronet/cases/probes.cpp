@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/patch_probe.hpp"
@@ -19,6 +21,15 @@ Vector<double, D> constants(std::vector<std::string> const& texts, Case const& c
     Vector<double, D> values;
     for (int k = 0; k < D; ++k) values[k] = Formula(texts[k], c.parameters)(Vector<double, D>{}, 0);
     return values;
+}
+
+bool no_outer_force(Case const& c) {
+    auto const is_zero = [](auto const& component) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(component)>, double>) return component == 0;
+        else return component == "0";
+    };
+    return std::all_of(c.fluid.gravity.begin(), c.fluid.gravity.end(), is_zero) &&
+           std::all_of(c.fluid.body_force.begin(), c.fluid.body_force.end(), is_zero);
 }
 
 /// Pressure, density or speed at a point.
@@ -48,6 +59,7 @@ private:
 template <int D>
 class AngularMomentumProbe final : public Probe<D> {
 public:
+    explicit AngularMomentumProbe(Case const& c) : free_(no_outer_force(c)) {}
     std::vector<std::string> columns() const override { return {"angular_momentum_drift"}; }
     std::vector<double> sample(double, Particles<D> const& particles) override {
         auto const now = totals(particles).angular_momentum;
@@ -56,10 +68,12 @@ public:
         return {drift_};
     }
     std::vector<Measure> measures() const override {
+        if (!free_) return {{"angular_momentum_drift", drift_, {}, {}, "relative change, by the outer force too"}};
         return {{"angular_momentum_drift", drift_, 0.0, drift_, "conservation; relative to the first value"}};
     }
 
 private:
+    bool free_;
     std::optional<Vector<double, 3>> first_;
     double drift_ = 0;
 };
@@ -137,7 +151,7 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
     std::vector<std::unique_ptr<Probe<D>>> probes;
     for (ProbeKeys const& keys : c.probes) {
         if (keys.kind == "value") probes.push_back(std::make_unique<ValueProbe<D>>(keys, c));
-        if (keys.kind == "angular-momentum") probes.push_back(std::make_unique<AngularMomentumProbe<D>>());
+        if (keys.kind == "angular-momentum") probes.push_back(std::make_unique<AngularMomentumProbe<D>>(c));
         if (keys.kind == "stretching") probes.push_back(std::make_unique<StretchingProbe<D>>(keys, c));
         if constexpr (D == 2)
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));

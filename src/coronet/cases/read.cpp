@@ -241,7 +241,8 @@ private:
         try {
             Formula(*text, parameters_ ? *parameters_ : std::map<std::string, double>{});
         } catch (CaseError const& error) {
-            errors_.push_back(fmt::format("{}: {}: {}; it may use x, y, z, t, pi and the parameters",
+            errors_.push_back(fmt::format("{}: {}: {}; it may use x, y, z, t, pi and the parameters, "
+                                          "+ - * / ^, sqrt, sin, cos, exp, abs, min, max, comparisons and a ? b : c",
                                           place(key.path, node), key.path, error.what()));
             return false;
         }
@@ -351,7 +352,8 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
         table = toml::parse(text, file);
     } catch (toml::parse_error const& error) {
         throw CaseError(
-            fmt::format("{}:{}: this is not TOML: {}", file, error.source().begin.line, error.description()));
+            fmt::format("{}:{}: this is not TOML: {} (words need quotes)", file, error.source().begin.line,
+                                    error.description()));
     }
     std::set<std::string> set;
     for (std::string const& setting : settings) set.insert(override_key(table, setting));

@@ -5,7 +5,10 @@
 
 namespace coronet {
 
-void set_threads(int threads) { omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs()); }
+void set_threads(int threads) {
+    static int const standard = omp_get_max_threads();
+    omp_set_num_threads(threads > 0 ? threads : standard);
+}
 
 int threads() { return omp_get_max_threads(); }
 

@@ -10,7 +10,7 @@
 
 namespace coronet {
 
-/// How many threads the loops use; 0 asks for one per core.
+/// How many threads the loops use; 0 asks for OpenMP's own choice: OMP_NUM_THREADS, or else one per core.
 void set_threads(int threads);
 int threads();
 

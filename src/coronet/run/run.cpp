@@ -34,6 +34,14 @@ void prepare(fs::path const& directory, bool overwrite) {
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
 }
 
+std::string advice(Case const& c) {
+    std::string text = c.time.step > 0 ? "A smaller time.step or 'auto' may help"
+                                       : "A smaller time.courant may help";
+    text += ", a larger fluid.sound_speed if the flow has come near it, or some method.artificial_viscosity";
+    if (c.method.gradient != "sph") text += "; where liquid merges or tears, method.gradient = 'sph' bears most";
+    return text;
+}
+
 template <int D>
 RunStatus run(Case const& c, RunOptions const& options) {
     auto const start = std::chrono::steady_clock::now();
@@ -74,11 +82,12 @@ RunStatus run(Case const& c, RunOptions const& options) {
     } catch (RunError const& error) {
         std::string const message =
             fmt::format("the run failed at t = {:.6g} s, step {}: {}. {}; what was written is kept in {}", time, steps,
-                        error.what(),
-                        c.time.step > 0 ? "A smaller time.step, or 'auto', may help, or a larger fluid.viscosity or "
-                                          "method.artificial_viscosity"
-                                        : "A smaller time.courant may help, or a larger fluid.sound_speed or viscosity",
-                        options.directory.string());
+                        error.what(), advice(c), options.directory.string());
+        try {
+            recorder.frame(time);  // where it went wrong is worth a look
+        } catch (RunError const&) {
+            // The disk may be what failed: the message says so already.
+        }
         finish("failed", message);
         throw RunError(message);
     }
