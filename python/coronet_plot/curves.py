@@ -65,13 +65,13 @@ def semi_axis_columns(runs):
 
 def draw_semi_axis_error(axes, runs):
     """The worse of the two semi-axes. At the start they agree by definition, so a logarithm begins after it."""
-    factor, largest = time_axis(axes, runs), 1e-6
+    factor, largest = time_axis(axes, runs), 1e-6  # per cent; an error below is as good as none
     for k, (run, colour, marker, label) in enumerate(style.styles(runs)):
         errors = [abs(run.series[column] / run.series["exact_" + column] - 1) for column in semi_axis_columns(runs)]
         worst = 100 * numpy.max(errors, axis=0)
         marked(axes, factor * run.series["time"][1:], worst[1:], (k + 0.5) / len(runs),
                color=colour, marker=marker, label=label)
-        largest = max(largest, worst.max())
+        largest = numpy.max(worst, initial=largest, where=numpy.isfinite(worst))
     axes.set_yscale("log", nonpositive="clip")
     axes.set_ylim(1e-4 * largest, 2 * largest)  # the rest is the climb from zero
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stretching drop at one glance: its particles at the end of every run in the exact outline, and over time
 how far its semi-axes and its centre pressure are from theory."""
-import numpy
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 
 from coronet_plot import curves, style
 from coronet_plot.frame import read_frame
-from coronet_plot.pictures import Scale, draw_particles, title_time
+from coronet_plot.pictures import Scale, draw_particles, joined, title_time
 
 # Lengths in inches.
 LEFT, BOTTOM, TOP, GAP = 0.6, 0.55, 0.5, 0.3
@@ -33,8 +32,7 @@ def exact_scale(runs, frames):
     centre = [float(run.at("exact_centre_pressure", frame.time)) for run, frame in zip(runs, frames)]
     low, high = min(0.0, *centre), max(0.0, *centre)
     margin = 0.15 * (high - low)
-    pressure = numpy.concatenate([frame.pressure for frame in frames])
-    return Scale.between(low - margin, high + margin, pressure, style.TENSION_MAP)
+    return Scale.between(low - margin, high + margin, joined(frames), style.TENSION_MAP)
 
 
 def upright(runs, frames, outlines, reach):

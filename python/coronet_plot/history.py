@@ -14,7 +14,7 @@ def history(runs):
     scale = draw(energy, runs, "kinetic_energy", "kinetic energy", unit)
     draw(spacing, runs, "spacing_min", "smallest distance\nover the initial spacing")
     keep_small(energy, scale * column(runs, "kinetic_energy"))
-    spacing.set_ylim(bottom=0)
+    spacing.set_ylim(0, 1.05 * max(1.0, spacing.get_ylim()[1]))
     finish(drawing, [energy, spacing], runs)
     return drawing
 

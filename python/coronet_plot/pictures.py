@@ -25,13 +25,18 @@ class Scale:
     @classmethod
     def over(cls, frames):
         """From the pressures found: a hundredth of the particles may lie beyond either end."""
-        pressure = numpy.concatenate([frame.pressure for frame in frames])
-        pressure = pressure[numpy.isfinite(pressure)]
-        pressure = pressure if pressure.size else numpy.zeros(1)
+        pressure = joined(frames)
         low, high = numpy.percentile(pressure, [1, 99])
         if 0 < low < 0.25 * high:
             low = 0.0  # the free surface is at zero: let the scale begin there
         return cls.between(low, high, pressure, style.PRESSURE_MAP)
+
+    @classmethod
+    def of_calmest(cls, frames):
+        """From the frame whose pressures spread least, so that a noisy run beside it does not drown it."""
+        ranges = [numpy.percentile(joined([frame]), [1, 99]) for frame in frames]
+        low, high = min(ranges, key=lambda ends: ends[1] - ends[0])
+        return cls.between(low, high, joined(frames), style.PRESSURE_MAP)
 
     @classmethod
     def between(cls, low, high, pressure, colours):
@@ -52,7 +57,14 @@ class Scale:
         return bar
 
 
-def draw_particles(axes, frame, scale, fill=0.95):
+def joined(frames):
+    """The pressures of all frames; what is left where a run diverged."""
+    pressure = numpy.concatenate([frame.pressure for frame in frames])
+    pressure = pressure[numpy.isfinite(pressure)]
+    return pressure if pressure.size else numpy.zeros(1)
+
+
+def draw_particles(axes, frame, scale, fill):
     """Up to a `fill` of 1 particles can be told apart, from the root of 2 on they are one liquid."""
     across, up = (numpy.full(len(frame.positions), fill * size) for size in frame.cell)
     axes.add_collection(EllipseCollection(
@@ -73,7 +85,7 @@ def title_time(frames):
     return lambda time: f"$t$ = {factor * time:.4g} {unit}"
 
 
-def panels(frames, columns, titles, plane, heading):
+def panels(frames, scale, columns, titles, plane, heading, fill=0.95):
     """Frames side by side in rows of `columns`, all with the same limits and the same colours."""
     low, high = extent(frames, 1.5 * max(frame.cell.max() for frame in frames))
     wide, tall = high - low
@@ -81,10 +93,10 @@ def panels(frames, columns, titles, plane, heading):
     width = min(9.0 / columns, 3.6 * wide / tall)
     drawing = Figure(figsize=(width * columns + 1.4, (width * tall / wide + 0.35) * rows + 0.5),
                      layout="constrained")
+    drawing.get_layout_engine().set(h_pad=0.07)
     grid = drawing.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    scale = Scale.over(frames)
     for axes, frame, title in zip(grid.flat, frames, titles):
-        draw_particles(axes, frame, scale)
+        draw_particles(axes, frame, scale, fill)
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set_title(title)
     for axes in grid.flat[len(frames):]:
@@ -110,19 +122,24 @@ def particles(runs):
     if run.failed is not None:
         titles[-1] += f"\n(failed at {time(run.failed)})"
     heading = style.about([run], style.labels(runs)[0])
-    return panels(frames, columns, titles, run.plane, heading)
+    return panels(frames, Scale.over(frames), columns, titles, run.plane, heading)
 
 
 def patch(runs):
-    """A row per run at the two instants of Fang et al. 2009, Figs. 6-8; of a shorter run its last frames."""
-    frames, names = [], []
-    for run, name in zip(runs, style.labels(runs)):
-        times = numpy.array([time for time, _ in run.frames])
-        chosen = [abs(times - wanted).argmin() for wanted in (0.015, 0.02)]
-        if times[-1] < 0.015 or chosen[0] == chosen[1]:
-            chosen = [max(len(times) - 2, 0), len(times) - 1]
-        frames += [read_frame(run, *run.frames[k]) for k in chosen]
-        names += 2 * [name]
+    """A column per run with the instants of Fang et al. 2009, Figs. 6-8; one run has them side by side."""
+    rows = list(zip(*map(instants, runs)))
+    frames = [frame for row in rows for frame in row]
     time = title_time(frames)
-    titles = [f"{name},  {time(frame.time)}" for name, frame in zip(names, frames)]
-    return panels(frames, 2, titles, runs[0].plane, style.about(runs))
+    titles = [f"{name},  {time(frame.time)}" for row in rows for name, frame in zip(style.labels(runs), row)]
+    columns = len(runs) if len(runs) > 1 else 2
+    return panels(frames, Scale.of_calmest(frames), columns, titles, runs[0].plane, style.about(runs),
+                  fill=1.3)  # arms are drawn out: smaller discs would not show their colours
+
+
+def instants(run):
+    """The frames at 15 and 20 ms; of a shorter run the last two."""
+    times = numpy.array([time for time, _ in run.frames])
+    chosen = [abs(times - wanted).argmin() for wanted in (0.015, 0.02)]
+    if times[-1] < 0.015 or chosen[0] == chosen[1]:
+        chosen = [max(len(times) - 2, 0), len(times) - 1]
+    return [read_frame(run, *run.frames[k]) for k in chosen]

@@ -35,7 +35,7 @@ def use():
 
 
 def prefixed(values, unit, least=1.0):
-    """The factor and the unit, such as 1e-6 and MPa: of the largest value there are `least` or more, up to 1000 times."""
+    """The factor and the unit, such as 1e-6 and MPa, by which the largest value is between `least` and 1000 `least`."""
     sizes = numpy.abs(values)
     largest = numpy.max(sizes, initial=0.0, where=numpy.isfinite(sizes))
     power = 3 * int(numpy.floor(numpy.log10(largest / least) / 3)) if largest > 0 else 0

@@ -237,14 +237,15 @@ class ARunThatEndsEarly(CommandLine):
                 self.assertEqual(read_summary(run)["status"], "failed")
                 self.assertIn(read_summary(run)["message"], message)
                 self.assertGreaterEqual(len(read_series(run)), 2)
-                self.assertEqual(len(listed_frames(run)), 1)
+                self.assertEqual(len(listed_frames(run)), 2)  # at the start and of the failure
 
     def test_by_a_full_disk_says_so(self):
         """A limit on the size of files stands in for a full disk; frames are the first to meet it."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000))
-        done = self.coronet("run", *TINY, "--out", "run", "--quiet", status=FAILED_RUN, preexec_fn=limit)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
+        done = self.coronet("run", *TINY, "--set", "particles.spacing=0.04", "--out", "run", "--quiet",
+                            status=FAILED_RUN, preexec_fn=limit)
         self.assertRegex(done.stderr, r"cannot write run/frames/000000\.vtkhdf")
         self.assertEqual(list((self.folder / "run").rglob("*.vtkhdf")), [])
 

@@ -14,7 +14,7 @@ PYTHON = Path(__file__).resolve().parents[2] / "python"
 sys.path.insert(0, str(PYTHON))
 sys.dont_write_bytecode = True
 
-from coronet_plot import drop, pictures, style
+from coronet_plot import drop, history, pictures, style
 from coronet_plot.frame import Frame
 from coronet_plot.run import Run
 
@@ -29,13 +29,29 @@ STRETCHING = {
 ROTATING = {"time": numpy.linspace(0, 1, 11), "angular_momentum_z": numpy.linspace(2, 2.0001, 11)}
 PATCH = {"time": numpy.linspace(0, 0.02, 21), "corner_radius": numpy.linspace(0.7, 1.5, 21),
          "exact_corner_radius": numpy.linspace(0.7, 1.6, 21), "side_half_width": numpy.linspace(0.5, 0.4, 21)}
+FALLING = {"time": numpy.linspace(0, 0.01, 21), "particles": numpy.full(21, 317),
+           "angular_momentum_z": numpy.linspace(2, 3, 21), "kinetic_energy": numpy.linspace(0, 4e-3, 21),
+           "spacing_min": numpy.linspace(1, 0.9, 21), "inside": numpy.linspace(0, 5e3, 21),
+           "angular_momentum_drift": numpy.linspace(0, 0.5, 21), "rho": numpy.linspace(1000, 1001, 21)}
+PROBES = """
+[[probes]]
+kind = "value"
+name = "inside"
+field = "pressure"
+at = [0.0, 1e-4]
+[[probes]]
+kind = "value"
+name = "rho"
+field = "density"
+at = [0.0, 0.0]
+"""
 
 
-def write_run(directory, name, columns, gradient="cph", times=()):
+def write_run(directory, name, columns, gradient="cph", times=(), more=""):
     """A run with empty files for frames: what they hold is put in by `particles`."""
     (directory / "frames").mkdir(parents=True)
     (directory / "case.toml").write_text(
-        f'name = "{name}"\ndimension = 2\n[method]\ngradient = "{gradient}"\n[particles]\nspacing = 0.1\n')
+        f'name = "{name}"\ndimension = 2\n[method]\ngradient = "{gradient}"\n[particles]\nspacing = 0.1\n{more}')
     numpy.savetxt(directory / "series.csv", numpy.column_stack(list(columns.values())), delimiter=",",
                   header=",".join(columns), comments="")
     names = [f"frames/{k:06}.vtkhdf" for k in range(len(times))]
@@ -50,7 +66,7 @@ def write_run(directory, name, columns, gradient="cph", times=()):
 def particles(run, time, path):
     x, y = numpy.meshgrid(*2 * [numpy.linspace(-1, 1, 21)])
     positions = numpy.column_stack([x.ravel(), (1 + 100 * time) * y.ravel()])
-    return Frame(time, positions, 5e6 * (1 - x * y).ravel())
+    return Frame(time, positions, 5e6 * (1 - x * y).ravel(), run.cell(time)[:2])
 
 
 def plot(*words):
@@ -116,6 +132,49 @@ class Plot(unittest.TestCase):
         run = write_run(self.folder / "run", "square-patch", PATCH)
         self.assert_draws(plot(run), run, "patch_history.png")
 
+    def test_every_run_gets_its_history_and_every_value_probe_a_panel(self):
+        runs = [write_run(self.folder / "fpm", "falling", FALLING, "fpm", more=PROBES),
+                write_run(self.folder / "sph", "falling", FALLING, "sph")]
+        self.assert_draws(plot(runs[0], "--with", runs[1]), runs[0],
+                          "angular_momentum.png", "values.png", "history.png")
+        panels = history.values([Run(runs[0])]).axes
+        self.assertEqual([axes.get_ylabel() for axes in panels], ["pressure (kPa)", "density (kg/m³)"])
+        self.assertEqual(panels[0].get_title(loc="left"), "inside, at (0, 0.1) mm")
+
+    def test_a_run_that_blows_up_does_not_flatten_what_was_before(self):
+        energy = numpy.append(numpy.ones(98), [2e9, numpy.inf])
+        columns = {"time": numpy.arange(100), "kinetic_energy": energy, "spacing_min": numpy.ones(100)}
+        drawing = history.history([Run(write_run(self.folder / "run", "burst", columns))])
+        low, high = drawing.axes[0].get_ylim()
+        self.assertLess(abs(high / low), 100)
+
+    def test_angular_momentum_is_left_out_where_a_force_changes_it(self):
+        for k, (force, drawn) in enumerate({"gravity = [0.0, -9.81]": False, 'body_force = ["0", "x"]': False,
+                                            'gravity = [0.0, 0.0]\nbody_force = ["0", "0"]': True}.items()):
+            run = write_run(self.folder / str(k), "falling", FALLING, more=f"[fluid]\n{force}\n")
+            self.assertEqual(Run(run).rotates, drawn, force)
+
+    @mock.patch.object(pictures, "read_frame", particles)
+    def test_the_last_picture_of_a_run_that_failed_says_when(self):
+        run = write_run(self.folder / "run", "square-patch", FALLING, times=[0.0, 0.001])
+        self.assertIsNone(Run(run).failed)
+        message = "the run failed at t = 0.00123 s, step 4: the stable time step fell"
+        (run / "summary.json").write_text(json.dumps({"status": "failed", "message": message}))
+        drawing = pictures.particles([Run(run)])
+        self.assertIn("failed at $t$ = 1.23 ms", drawing.axes[1].get_title())
+        self.assertEqual(drawing._suptitle.get_text(), "square-patch, CPH, 317 particles")
+
+    def test_a_particle_of_a_stretching_drop_is_as_long_as_the_flow_makes_it(self):
+        run = Run(write_run(self.folder / "run", "drop-stretching", STRETCHING))
+        numpy.testing.assert_allclose(run.cell(0.008), [0.05, 0.2, 0.1])
+
+    def test_the_colours_of_a_drop_are_those_of_the_exact_pressure_however_noisy_a_run(self):
+        run = Run(write_run(self.folder / "run", "drop-stretching", STRETCHING))
+        noisy = Frame(0.008, numpy.zeros((2, 2)), numpy.array([-9e7, 9e7]), run.cell(0.008)[:2])
+        scale = drop.exact_scale([run], [noisy])
+        self.assertAlmostEqual(scale.norm.vmax, 1.15 * 1.1)
+        self.assertEqual((scale.unit, scale.extend), ("MPa", "both"))
+
     def test_runs_of_one_method_are_told_apart_by_their_directories(self):
         runs = [Run(write_run(self.folder / name, "square-patch", PATCH)) for name in ("a", "b")]
         self.assertEqual(style.labels(runs), ["CPH (a)", "CPH (b)"])
@@ -126,15 +185,19 @@ class Plot(unittest.TestCase):
         self.assertEqual(style.prefixed([0.02], "s"), (1e3, "ms"))
         self.assertEqual(style.prefixed([0.0], "s"), (1.0, "s"))
 
+    def test_a_length_near_one_keeps_its_unit(self):
+        self.assertEqual(style.length([1.2e-3]), (1e3, "mm"))
+        self.assertEqual(style.length([0.9e-3]), (1e3, "mm"))
+        self.assertEqual(style.length([-0.7, 0.5]), (1.0, "m"))
+
     @mock.patch.object(pictures, "read_frame", particles)
     @mock.patch.object(drop, "read_frame", particles)
     def test_pictures_are_drawn_of_any_number_of_frames_and_runs(self):
         times = [0.0, 0.004, 0.008, 0.016, 0.02]
-        for count in (1, 2, 5):
+        for count, together in ((1, 1), (2, 3), (5, 1)):
             run = Run(write_run(self.folder / str(count), "drop-stretching", STRETCHING, times=times[:count]))
             for draw in (pictures.particles, pictures.patch, drop.drop):
-                draw([run]).savefig(self.folder / "one.png")
-                draw([run, run, run]).savefig(self.folder / "three.png")
+                draw(together * [run]).savefig(self.folder / "one.png", dpi=40)
 
 
 if __name__ == "__main__":

@@ -145,8 +145,8 @@ TEST(SingularMatrices, FallBackToThePlainGradientAndAreCounted) {
     }
     std::vector<Vector<double, 3>> const plane{{{0, 0, 0}}, {{0.5, 0, 0}}, {{0, 0.5, 0}}, {{0.4, 0.4, 0}}};
     EXPECT_EQ(errors_on_linear_field<3>(plane, 0.1, 1.0).fell_back, 4);
-    // Three particles that do span the plane are enough.
-    std::vector<Vector<double, 2>> const triangle{{{0, 0}}, {{0.5, 0}}, {{0.2, 0.5}}};
+    // Three particles that do span the plane are enough, if they are near.
+    std::vector<Vector<double, 2>> const triangle{{{0, 0}}, {{0.35, 0}}, {{0.15, 0.35}}};
     Errors const e = errors_on_linear_field<2>(triangle, 0.25, 1.0);
     EXPECT_EQ(e.fell_back, 0);
     EXPECT_LT(e.fpm_gradient, 1e-12);
