@@ -28,12 +28,13 @@ class Run:
 
     def __init__(self, name, case, **settings):
         self.directory = RUNS / name
+        self.failed = False
         if not (keep and (self.directory / "summary.json").exists()):
             words = [os.environ.get("CORONET", str(ROOT / "build/release/coronet")), "run", str(case), "--quiet",
                      "--out", str(self.directory), "--overwrite"]
             for key, value in settings.items():
                 words += ["--set", f"{key.replace('__', '.')}={value}"]
-            subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+            self.failed = subprocess.run(words, stdout=subprocess.DEVNULL).returncode != 0
         self.summary = json.loads((self.directory / "summary.json").read_text())
         self.series = np.genfromtxt(self.directory / "series.csv", delimiter=",", names=True)
 
@@ -139,7 +140,8 @@ def patch():
                 least = run.series["spacing_min"][at]
                 name = f"{angle:2d} degrees, alpha {viscosity}, {method}"
                 print(f"{name:34s}{values[0]:9.3f}{values[1]:9.3f}{pieces[0]:10d}{pieces[1]:10d}{least[0]:12.3f}"
-                      f"{least[1]:12.3f}{run.measure('area_error'):9.4f}{run.momentum_error():10.1e}")
+                      f"{least[1]:12.3f}{run.measure('area_error'):9.4f}{run.momentum_error():10.1e}"
+                      + (f"  failed at {run.series['time'][-1]:.4f} s" if run.failed else ""))
 
 
 def spheroid():
