@@ -42,10 +42,10 @@ class Run:
         return self.summary["measures"][name]["value"]
 
     def momentum_error(self):
-        """Largest drift of linear momentum over the sum of m |v|, bounded from below by sqrt(2 m E)."""
+        """Largest drift of linear momentum over half of sqrt(2 m E), which stands for the sum of m |v|."""
         drift = max(np.abs(self.series[f"momentum_{k}"] - self.series[f"momentum_{k}"][0]).max() for k in "xyz"
                     if f"momentum_{k}" in self.series.dtype.names)
-        # sum m |v| <= sqrt(2 m E) with equality for equal speeds; half of it is a safe scale for these smooth flows.
+        # sum m |v| is sqrt(2 m E) for equal speeds and less for others, but more than half of it in these smooth flows.
         return drift / (0.5 * np.sqrt(2 * self.series["mass"][0] * self.series["kinetic_energy"].min()))
 
     def frame(self, time):

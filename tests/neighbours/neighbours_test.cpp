@@ -82,16 +82,6 @@ TEST(Neighbours, AreFoundWhenOneParticleIsVeryFarAway) {
     });
 }
 
-TEST(Neighbours, TakeMemoryByTheirNumberNotByTheirDistances) {
-    auto points = cloud<3>(100);
-    for (double& c : points[50].c) c = 1e6;
-    auto particles = particles_at<3>(points);
-    Neighbours<3> neighbours(0.3, 0.03);
-    neighbours.update(particles);
-    EXPECT_GT(neighbours.bytes(), 0u);
-    EXPECT_LT(neighbours.bytes(), 100 * 200 * sizeof(Index));
-}
-
 TEST(Neighbours, OfCoincidentParticlesAreAllOthers) {
     in_every_dimension([]<int D>() {
         for (std::size_t const count : {2, 9, 300}) expect_found(Points<D>(count, along<D>(0, 0.3)), 0.1, 0.01);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,8 +52,8 @@ int run(std::string const& name, std::vector<std::string> const& settings, RunOp
     return status == RunStatus::done ? done : interrupted_run;
 }
 
-/// GNU's OpenMP lets idle threads spin for long, which slows a run tenfold where the cores are shared. It reads the count
-/// when it is loaded, so the program sets a short one and starts itself anew.
+/// GNU's OpenMP lets idle threads spin for long, which slows a run tenfold where the cores are shared. It reads the
+/// count when it is loaded, so the program sets a short one and starts itself anew.
 void let_idle_threads_sleep(char** argv) {
     if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
     setenv("GOMP_SPINCOUNT", "1000", 1);
@@ -122,6 +123,9 @@ int main(int argc, char** argv) {
     } catch (coronet::CaseError const& error) {
         fmt::print(stderr, "{}\n", error.what());
         return coronet::wrong_case;
+    } catch (std::bad_alloc const&) {
+        fmt::print(stderr, "the memory has run out: use a larger particles.spacing\n");
+        return coronet::failed_run;
     } catch (std::exception const& error) {
         fmt::print(stderr, "{}\n", error.what());
         return coronet::failed_run;

@@ -48,8 +48,9 @@ int plot(std::string const& directory, std::vector<std::string> const& with) {
         _exit(3);
     }
     int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+    if (child < 0 || waitpid(child, &status, 0) < 0) throw RunError("the plotting program cannot be started");
+    int const ended = WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+    return ended == 0 || ended == 2 ? ended : 3;
 }
 
 }  // namespace coronet

@@ -14,6 +14,7 @@
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/set_up.hpp"
+#include "coronet/cases/shapes.hpp"
 #include "coronet/core/error.hpp"
 
 namespace coronet {
@@ -57,6 +58,9 @@ void check_shapes(Case const& c, Errors& errors) {
                     k, fmt::join(c.shapes[k].centre, ", "));
     }
     double const expected = expected_particles<D>(c);
+    for (std::size_t k = 0; k < c.shapes.size(); ++k)
+        if (auto const half = half_extents<D>(c.shapes[k]); std::sqrt(norm2(half)) > 1e9 * dx)
+            say(errors, "shapes.{} is wider than 1e9 spacings: make it smaller", k);
     if (!(expected < most_particles))
         say(errors,
             "particles.spacing = {} m would make about {:.1e} particles; at most {:.0e} are allowed: use a "
@@ -74,6 +78,8 @@ void check_probes(Case const& c, Errors& errors) {
             sum += value(rate);
             largest = std::max(largest, std::fabs(value(rate)));
         }
+        if (probe.kind == "stretching" && largest == 0)
+            say(errors, "probes.{}.rates are all 0: there is no flow to compare with", k);
         if (!(std::fabs(sum) <= 1e-9 * largest))
             say(errors,
                 "probes.{}.rates = [{}] add up to {:.4g} 1/s: the exact drop keeps its volume, so the sum must "
@@ -91,6 +97,7 @@ void check_probes(Case const& c, Errors& errors) {
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());
+    columns.insert("singular_matrices");
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)

@@ -64,7 +64,8 @@ public:
     std::vector<double> sample(double, Particles<D> const& particles) override {
         auto const now = totals(particles).angular_momentum;
         if (!first_) first_ = now;
-        drift_ = std::sqrt(norm2(now - *first_) / norm2(*first_));
+        double const scale = std::sqrt(norm2(*first_));
+        drift_ = scale > 0 ? std::sqrt(norm2(now - *first_)) / scale : 0;  // nothing to drift from
         return {drift_};
     }
     std::vector<Measure> measures() const override {

@@ -241,9 +241,10 @@ private:
         try {
             Formula(*text, parameters_ ? *parameters_ : std::map<std::string, double>{});
         } catch (CaseError const& error) {
-            errors_.push_back(fmt::format("{}: {}: {}; it may use x, y, z, t, pi and the parameters, "
-                                          "+ - * / ^, sqrt, sin, cos, exp, abs, min, max, comparisons and a ? b : c",
-                                          place(key.path, node), key.path, error.what()));
+            errors_.push_back(fmt::format(
+                "{}: {}: {}; it may use x, y, z, t, pi and the parameters, "
+                "+ - * / ^, sqrt, exp, ln, sin, cos, tan, atan2, abs, min, max, comparisons, &&, || and a ? b : c",
+                place(key.path, node), key.path, error.what()));
             return false;
         }
         value = *text;
@@ -351,8 +352,7 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
     try {
         table = toml::parse(text, file);
     } catch (toml::parse_error const& error) {
-        throw CaseError(
-            fmt::format("{}:{}: this is not TOML: {} (words need quotes)", file, error.source().begin.line,
+        throw CaseError(fmt::format("{}:{}: this is not TOML: {} (words need quotes)", file, error.source().begin.line,
                                     error.description()));
     }
     std::set<std::string> set;

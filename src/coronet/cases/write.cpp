@@ -97,7 +97,9 @@ public:
     std::string markdown = "| key | value | default | meaning |\n|---|---|---|---|\n";
 
     bool everything() const override { return true; }
-    void number(Key const& key, double& value) override { row(key, "number", fmt::format("{}", value)); }
+    void number(Key const& key, double& value) override {
+        row(key, "number", value == 0 && key.above == 0 ? "" : fmt::format("{}", value));  // 0 is: derived
+    }
     void integer(Key const& key, int& value) override { row(key, "whole number", fmt::format("{}", value)); }
     void text(Key const& key, std::string& value) override { row(key, "string", value); }
     void choice(Key const& key, std::string& value, Words const& allowed) override {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <vector>
 
 namespace coronet {
@@ -14,11 +15,21 @@ namespace coronet {
 void set_threads(int threads);
 int threads();
 
-/// Calls work(block) for block = 0 ... blocks - 1, each once, on any thread. The work must not throw.
+/// Calls work(block) for block = 0 ... blocks - 1, each once, on any thread. What the work throws (memory may run out)
+/// leaves the loop when all blocks have ended.
 template <class Work>
 void for_blocks(std::size_t blocks, Work const& work) {
+    std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1)
-    for (std::size_t block = 0; block < blocks; ++block) work(block);
+    for (std::size_t block = 0; block < blocks; ++block) {
+        try {
+            work(block);
+        } catch (...) {
+#pragma omp critical
+            failure = std::current_exception();
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
 }
 
 inline constexpr std::size_t items_per_block = 2048;

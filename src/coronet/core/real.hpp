@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The number types of the pair laws. A law is written once over a type R and runs with R = double (or float): one
+// The number types of the pair laws. A law is written once over a type R and runs with R = double: one
 // neighbour at a time, as on a GPU; or with R = Pack<double>: as many neighbours at a time as the machine's vectors
 // hold. Laws never branch on numbers; they use select(mask, a, b), which means the same for every R.
 //

@@ -4,9 +4,10 @@
 // Particles own their fields, as a structure of arrays: every component of every field is one contiguous array, so that
 // neighbouring loops read only what they use. Everyone else borrows a View for one call.
 //
-// The first `owned` particles are advanced here; those behind them (periodic images, particles of another process) are
-// borrowed: read as neighbours, never advanced. Each particle keeps a global identity through every re-ordering.
+// Loops that advance particles run over the `owned` ones, loops that read neighbours over all `size` of them: today
+// they are the same. Each particle keeps a global identity through every re-ordering.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 // The vocabulary of particle fields: each is named once, here, with its symbol, rank, unit and meaning. Storage, views,
-// what a law reads and gives, frames and documentation all come from this one list.
+// what a law reads and gives, and the units in frames come from this one list.
 
 #include <array>
 #include <string_view>

@@ -7,13 +7,10 @@
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
-#include <fstream>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 namespace coronet {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/neighbours/cell_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,7 +28,7 @@ void CellGrid<D>::sort(Particles<D>& particles, double width) {
     }
 
     // Doubling the width until there are few enough cells keeps the memory bounded by the particles.
-    double const most_cells = 8.0 * static_cast<double>(n) + 64;
+    double const most_cells = std::min(8.0 * static_cast<double>(n) + 64, 2e9);
     for (double cells = infinity; cells > most_cells; width *= 2) {
         cells = 1;
         for (int k = 0; k < D; ++k) cells *= std::floor((high[k] - low_[k]) / width) + 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/neighbours/neighbours.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "coronet/core/simd.hpp"
@@ -86,6 +87,7 @@ void Neighbours<D>::list(Particles<D>& particles) {
         }
         // A sweep reads whole packs of a row: keep one more readable behind the last.
         chunk.resize(used + pack_size);
+        std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(used), chunk.end(), Index{0});
         Index const* row = chunk.data();
         for (std::size_t i = begin; i < end; row += count_[i], ++i) first_[i] = row;
     });
@@ -106,13 +108,6 @@ void Neighbours<D>::cut(Targets& targets, std::size_t count) const {
             pairs = 0;
         }
     }
-}
-
-template <int D>
-std::size_t Neighbours<D>::bytes() const {
-    std::size_t total = first_.capacity() * sizeof(first_[0]) + count_.capacity() * sizeof(count_[0]);
-    for (auto const& chunk : chunks_) total += chunk.capacity() * sizeof(Index);
-    return total;
 }
 
 template class Neighbours<1>;

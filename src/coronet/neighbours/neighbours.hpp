@@ -32,6 +32,10 @@ public:
     /// support and skin in m.
     Neighbours(double support, double skin) : support_(support), skin_(skin) {}
 
+    // Rows point into the lists: a copy would point into the original's.
+    Neighbours(Neighbours const&) = delete;
+    Neighbours& operator=(Neighbours const&) = delete;
+
     /// Lists the neighbours anew if the particles have moved too far for the old rows. Returns whether it did: then the
     /// particles have been re-ordered.
     bool update(Particles<D>& particles);
@@ -52,7 +56,6 @@ public:
     double support() const { return support_; }
     std::size_t longest_row() const { return longest_; }
     std::size_t listings() const { return listings_; }
-    std::size_t bytes() const;
 
 private:
     bool still_valid(Particles<D> const& particles) const;

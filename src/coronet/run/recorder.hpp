@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Writes what a run leaves: the series, row by row, the frames, and at the end the summary (see docs/output.md).
+// Writes what a run leaves: the series, row by row, the frames, and at the end the summary (see docs/guide.md).
 
 #include <filesystem>
 #include <memory>
@@ -26,8 +26,6 @@ public:
     void frame(double time);
     /// summary.json. `status` is done, interrupted or failed; `message` says why.
     void summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds);
-
-    Phases& phases() { return phases_; }
 
 private:
     Case const& case_;

@@ -35,8 +35,7 @@ void prepare(fs::path const& directory, bool overwrite) {
 }
 
 std::string advice(Case const& c) {
-    std::string text = c.time.step > 0 ? "A smaller time.step or 'auto' may help"
-                                       : "A smaller time.courant may help";
+    std::string text = c.time.step > 0 ? "A smaller time.step or 'auto' may help" : "A smaller time.courant may help";
     text += ", a larger fluid.sound_speed if the flow has come near it, or some method.artificial_viscosity";
     if (c.method.gradient != "sph") text += "; where liquid merges or tears, method.gradient = 'sph' bears most";
     return text;
@@ -85,10 +84,10 @@ RunStatus run(Case const& c, RunOptions const& options) {
                         error.what(), advice(c), options.directory.string());
         try {
             recorder.frame(time);  // where it went wrong is worth a look
+            finish("failed", message);
         } catch (RunError const&) {
             // The disk may be what failed: the message says so already.
         }
-        finish("failed", message);
         throw RunError(message);
     }
     bool const stopped = time < c.time.end;

@@ -52,7 +52,6 @@ public:
     virtual Particles<D> const& particles() const = 0;
     virtual Counters const& counters() const = 0;
     virtual Phases& phases() = 0;
-    virtual std::size_t bytes() const = 0;
 };
 
 }  // namespace coronet

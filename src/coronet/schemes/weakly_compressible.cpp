@@ -16,8 +16,9 @@ namespace coronet {
 template <int D>
 WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D> particles)
     : settings_(settings), particles_(std::move(particles)), neighbours_(settings.kernel.support, settings.skin) {
-    particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Stress, Acceleration,
+    particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
+    if (!one_sweep()) particles_.allocate(Fields<Stress>{});
     if (settings_.gradient != Gradient::sph) particles_.allocate(Fields<CorrectedStress, StressOffset, FellBack>{});
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
     update_state();
@@ -41,12 +42,12 @@ void WeaklyCompressible<D>::check_state() const {
     });
     if (first == none) return;
     std::size_t const i = static_cast<std::size_t>(first);
-    throw RunError(
-        fmt::format("particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
-                    "acceleration {:.4g} m/s^2",
-                    particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
-                    view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
-                    std::sqrt(norm2(view.template get<Acceleration>(i)))));
+    throw RunError(fmt::format(
+        "the flow has blown up: particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
+        "acceleration {:.4g} m/s^2",
+        particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
+        view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
+        std::sqrt(norm2(view.template get<Acceleration>(i)))));
 }
 
 template <int D>

@@ -63,7 +63,6 @@ public:
     Particles<D> const& particles() const override { return particles_; }
     Counters const& counters() const override { return counters_; }
     Phases& phases() override { return phases_; }
-    std::size_t bytes() const override { return neighbours_.bytes(); }
 
     /// The rates of change of velocity and density for the state as it is.
     void evaluate(double time);
