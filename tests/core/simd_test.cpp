@@ -1,137 +1,177 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every move of a pack does what a plain loop over its lanes does, for every choice of lanes. The same tests
-// hold for the vector instructions of the processor and for the plain versions, of packs of any size down to
-// one number.
+// Every move of a pack does what a plain loop over its lanes does, for every choice of lanes. The same tests hold for
+// the vector instructions of the processor and for the plain versions, of packs of any size down to one number.
 #include "coronet/core/simd.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
+#include "coronet/core/coordinate.hpp"
+
 namespace {
 
-using coronet::Index, coronet::Pack, coronet::pack_size;
+using coronet::Index, coronet::Pack, coronet::pack_size, coronet::Coordinate;
 
-constexpr unsigned all_lanes = (1u << pack_size) - 1;
+template <class T>
+class PackOf : public testing::Test {};
+using Numbers = testing::Types<double, float>;
+TYPED_TEST_SUITE(PackOf, Numbers);
 
-template <class P>
-double lane(P const& pack, int k) {
-    if constexpr (pack_size == 1) return pack;
-    else return pack[k];
-}
-
-/// Numbers that no two lanes share.
-std::vector<double> distinct(std::size_t size) {
-    std::vector<double> numbers(size);
-    for (std::size_t k = 0; k < size; ++k) numbers[k] = 0.5 + static_cast<double>(k);
+/// Numbers that no two lanes share, exact in float.
+template <class T>
+std::vector<T> distinct(std::size_t size) {
+    std::vector<T> numbers(size);
+    for (std::size_t k = 0; k < size; ++k) numbers[k] = static_cast<T>(0.5 + static_cast<double>(k));
     return numbers;
 }
 
-TEST(Pack, IsLoadedFromAnyAddress) {
-    auto const numbers = distinct(3 * pack_size);
-    for (int start = 0; start < 2 * pack_size; ++start) {
+TYPED_TEST(PackOf, IsLoadedFromAnyAddress) {
+    using T = TypeParam;
+    auto const numbers = distinct<T>(3 * pack_size<T>);
+    for (int start = 0; start < 2 * pack_size<T>; ++start) {
         auto const pack = coronet::load(numbers.data() + start);
-        for (int k = 0; k < pack_size; ++k) EXPECT_EQ(lane(pack, k), numbers[start + k]);
+        for (int k = 0; k < pack_size<T>; ++k) EXPECT_EQ(pack[k], numbers[start + k]);
     }
 }
 
-TEST(Pack, IsFetchedFromTheRecordsItsIndicesPointTo) {
-    constexpr std::size_t records = 200, width = 12;
-    auto const numbers = distinct(records * width + 4);
-    alignas(64) static double first[records * width];
-    std::copy_n(numbers.begin(), records * width, first);
+TYPED_TEST(PackOf, IsFetchedFromTheGroupsItsPlacesPointTo) {
+    using T = TypeParam;
+    constexpr std::size_t groups = 300;
+    auto const numbers = distinct<T>(4 * groups);
+    alignas(64) static T first[4 * groups];
+    std::ranges::copy(numbers, first);
     std::mt19937 engine(1);
-    std::uniform_int_distribution<Index> place(0, records - 1);
-    std::vector<Index> index(100 + pack_size);
-    for (Index& i : index) i = place(engine);
-    index[0] = index[1] = 0;  // the ends, and a record twice
-    index[2] = records - 1;
-    for (std::size_t group = 0; group < width; group += 4)
-        for (int start = 0; start < 100; ++start) {
-            Pack<double> component[4];
-            coronet::fetch_four(first + group, index.data() + start, width, component);
-            for (std::size_t c = 0; c < 4; ++c)
-                for (int k = 0; k < pack_size; ++k)
-                    EXPECT_EQ(lane(component[c], k),
-                              first[static_cast<std::size_t>(index[start + k]) * width + group + c]);
-        }
-}
-
-TEST(Pack, InverseRootIsRightToTwoUnitsInTheLastPlace) {
-    std::mt19937_64 engine(1);
-    std::uniform_real_distribution<double> exponent(-60, 60);
-    for (int n = 0; n < 10000; ++n) {
-        double numbers[pack_size];
-        for (double& number : numbers) number = std::pow(10.0, exponent(engine));
-        auto const root = coronet::inverse_root(coronet::load(numbers));
-        for (int k = 0; k < pack_size; ++k) EXPECT_NEAR(lane(root, k) * std::sqrt(numbers[k]), 1, 5e-16) << numbers[k];
+    std::uniform_int_distribution<Index> group(0, groups - 1);
+    std::vector<Index> place(100 + pack_size<T>);
+    for (Index& at : place) at = 4 * group(engine);
+    place[0] = place[1] = 0;  // the ends, and a group twice
+    place[2] = 4 * (groups - 1);
+    for (int start = 0; start < 100; ++start) {
+        Pack<T> component[4];
+        coronet::fetch_four(first, place.data() + start, component);
+        for (int c = 0; c < 4; ++c)
+            for (int k = 0; k < pack_size<T>; ++k) EXPECT_EQ(component[c][k], first[place[start + k] + c]);
     }
 }
 
-TEST(Pack, TellsWhichLanesAreBelowALimit) {
-    std::vector<double> const numbers{0.0,      -0.0,      1.0,   std::nextafter(1, 0), std::nextafter(1, 2), -1, NAN,
-                                      INFINITY, -INFINITY, 5e-324};
-    for (double const limit : std::vector<double>{0.0, 1.0, -1.0, INFINITY, -INFINITY, NAN, 1e-300})
+TYPED_TEST(PackOf, InverseRootIsRightToTwoUnitsInTheLastPlace) {
+    using T = TypeParam;
+    double const most = sizeof(T) == 8 ? 60 : 30;
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> exponent(-most, most);
+    for (int n = 0; n < 10000; ++n) {
+        T numbers[pack_size<T>];
+        for (T& number : numbers) number = static_cast<T>(std::pow(10.0, exponent(engine)));
+        auto const root = coronet::inverse_root(coronet::load(numbers));
+        for (int k = 0; k < pack_size<T>; ++k)
+            EXPECT_NEAR(static_cast<double>(root[k]) * std::sqrt(static_cast<double>(numbers[k])), 1,
+                        2.25 * std::numeric_limits<T>::epsilon())
+                << numbers[k];
+    }
+}
+
+TYPED_TEST(PackOf, TellsWhichLanesAreBelowALimit) {
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    T const one = 1;
+    std::vector<T> const numbers{0,
+                                 -T(0),
+                                 one,
+                                 std::nextafter(one, T(0)),
+                                 std::nextafter(one, T(2)),
+                                 -1,
+                                 Limits::quiet_NaN(),
+                                 Limits::infinity(),
+                                 -Limits::infinity(),
+                                 Limits::denorm_min()};
+    for (T const limit : {T(0), one, -one, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), T(1e-30)})
         for (std::size_t start = 0; start < numbers.size(); ++start) {
-            double lanes[pack_size];
+            T lanes[pack_size<T>];
             unsigned expected = 0;
-            for (int k = 0; k < pack_size; ++k) {
-                lanes[k] = numbers[(start + k) % numbers.size()];
+            for (int k = 0; k < pack_size<T>; ++k) {
+                lanes[k] = numbers[(start + static_cast<std::size_t>(k)) % numbers.size()];
                 if (lanes[k] < limit) expected |= 1u << k;
             }
             EXPECT_EQ(coronet::lanes_below(coronet::load(lanes), limit), expected) << limit;
         }
 }
 
-/// Squeezing may write a whole pack, but nothing behind it, and first the chosen lanes in their order.
-template <class T, class Squeeze, class Lane>
-void expect_squeezed(Squeeze const& squeeze, Lane const& value_of) {
-    for (unsigned held = 0; held <= all_lanes; ++held) {
-        T const untouched = -7;
-        std::vector<T> to(2 * pack_size, untouched);
-        squeeze(held, to.data());
-        int count = 0;
-        for (int k = 0; k < pack_size; ++k)
-            if (held >> k & 1u) {
-                EXPECT_EQ(to[count], value_of(k)) << "of lanes " << held;
-                ++count;
-            }
-        for (int k = pack_size; k < 2 * pack_size; ++k) EXPECT_EQ(to[k], untouched) << "of lanes " << held;
+TYPED_TEST(PackOf, KeepsItsFirstLanes) {
+    using T = TypeParam;
+    auto const numbers = distinct<T>(pack_size<T>);
+    for (std::size_t count = 0; count < 300; ++count) {
+        auto const kept = coronet::keep_first(coronet::load(numbers.data()), count, Pack<T>(-7.0));
+        for (std::size_t k = 0; k < pack_size<T>; ++k)
+            EXPECT_EQ(kept[static_cast<int>(k)], k < count ? numbers[k] : -7);
     }
 }
 
-TEST(Pack, SqueezesTheChosenIndicesToTheFront) {
-    std::vector<Index> index(pack_size);
-    for (int k = 0; k < pack_size; ++k) index[k] = 2'000'000'000 - 1000 * k;
-    expect_squeezed<Index>([&](unsigned held, Index* to) { coronet::squeeze(held, index.data(), to); },
-                           [&](int k) { return index[k]; });
-}
-
-TEST(Pack, SqueezesTheChosenOfARangeToTheFront) {
+/// Squeezing may write a whole pack, but nothing behind it, and first the chosen lanes in their order.
+TYPED_TEST(PackOf, SqueezesTheChosenOfARangeToTheFront) {
+    using T = TypeParam;
+    constexpr unsigned all_lanes = (1u << pack_size<T>)-1;
+    Index const untouched = -7;
     for (Index const first : {0, 5, 2'000'000'000})
-        expect_squeezed<Index>([&](unsigned held, Index* to) { coronet::squeeze_range(held, first, to); },
-                               [&](int k) { return first + k; });
+        for (unsigned held = 0; held <= all_lanes; held += 1 + held / 1000) {
+            std::vector<Index> to(2 * pack_size<T>, untouched);
+            coronet::squeeze_range<T, 4>(held, first, to.data());
+            std::size_t count = 0;
+            for (int k = 0; k < pack_size<T>; ++k)
+                if (held >> k & 1u) {
+                    ASSERT_EQ(to[count], first + 4 * k) << "of lanes " << held;
+                    ++count;
+                }
+            for (std::size_t k = pack_size<T>; k < to.size(); ++k) ASSERT_EQ(to[k], untouched) << "of lanes " << held;
+        }
 }
 
-TEST(Pack, SelectsComparesAndSumsLaneByLane) {
-    std::vector<double> a = distinct(pack_size), b(pack_size);
+TYPED_TEST(PackOf, SelectsComparesAndSumsLaneByLane) {
+    using T = TypeParam;
+    std::vector<T> a = distinct<T>(pack_size<T>), b(pack_size<T>);
     double total = 0;
-    for (int k = 0; k < pack_size; ++k) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
         b[k] = k % 2 ? a[k] + 1 : a[k] - 1;
-        total += a[k];
+        total += static_cast<double>(a[k]);
     }
     auto const x = coronet::load(a.data()), y = coronet::load(b.data());
-    for (int k = 0; k < pack_size; ++k) {
-        EXPECT_EQ(lane(coronet::select(x < y, 3.0 * x, -y), k), a[k] < b[k] ? 3 * a[k] : -b[k]);
-        EXPECT_EQ(lane(coronet::largest(x, y), k), std::fmax(a[k], b[k]));
-        EXPECT_EQ(lane(coronet::smallest(x, y), k), std::fmin(a[k], b[k]));
-        EXPECT_EQ(lane(coronet::square_root(x), k), std::sqrt(a[k]));
+    for (int k = 0; k < pack_size<T>; ++k) {
+        T const p = a[static_cast<std::size_t>(k)], q = b[static_cast<std::size_t>(k)];
+        EXPECT_EQ(coronet::select(x < y, 3.0 * x, -y)[k], p < q ? 3 * p : -q);
+        EXPECT_EQ(coronet::largest(x, y)[k], std::fmax(p, q));
+        EXPECT_EQ(coronet::smallest(x, y)[k], std::fmin(p, q));
+        EXPECT_EQ(coronet::square_root(x)[k], std::sqrt(p));
+        EXPECT_EQ((x / y)[k], p / q);
     }
     EXPECT_EQ(coronet::sum(x), total);  // halves: exact in any order
+}
+
+/// The sum of a pack of floats keeps what a float could not.
+TEST(PackOfFloats, IsSummedInDouble) {
+    if (pack_size<float> < 2) GTEST_SKIP() << "a pack holds one number";
+    std::vector<float> numbers(pack_size<float>, 0);
+    numbers[0] = 1;
+    numbers[1] = 0x1p-30f;
+    EXPECT_EQ(coronet::sum(coronet::load(numbers.data())), 1 + 0x1p-30);
+}
+
+TEST(FixedPointCoordinate, HasExactDifferencesFarFromTheOrigin) {
+    double const unit = 0x1p-30;
+    Coordinate<float> const coordinate(unit);
+    std::mt19937_64 engine(1);
+    std::uniform_int_distribution<std::int64_t> far(-(1ll << 50), 1ll << 50), near(-(1ll << 23), 1ll << 23);
+    for (int n = 0; n < 10000; ++n) {
+        std::int64_t const a = far(engine), apart = near(engine);
+        auto const x = Pack<float>::copies(coordinate.stored(static_cast<double>(a) * unit));
+        auto const y = Pack<float>::copies(coordinate.stored(static_cast<double>(a + apart) * unit));
+        for (int k = 0; k < pack_size<float>; ++k)
+            ASSERT_EQ(coordinate.difference(y, x)[k], static_cast<double>(apart) * unit) << a << " + " << apart;
+    }
 }
 
 }  // namespace

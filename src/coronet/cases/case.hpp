@@ -63,7 +63,7 @@ struct Case {
     struct {
         std::string scheme = "weakly-compressible", gradient = "fpm", viscous_force = "stress",
                     kernel = "quintic-spline", precision = "double";
-        double support = 3.9, skin = 0.3;
+        double support = 3.9, skin = 0;
         PairTerms pair_terms;
     } method;
 

@@ -183,13 +183,17 @@ void describe(Keys& keys, Case& c) {
                  .at_least = 1.5,
                  .at_most = 10},
                 m.support);
-    keys.number({.path = "method.skin",
-                 .unit = "spacings",
-                 .meaning = "margin of the neighbour lists; changes the speed alone",
-                 .above = 0,
-                 .at_most = 5},
-                m.skin);
-    keys.choice({.path = "method.precision", .meaning = "of the arithmetic"}, m.precision, {"double"});
+    keys.number_or({.path = "method.skin",
+                    .unit = "spacings",
+                    .meaning = "margin of the neighbour lists; changes the speed alone, and auto tunes it on the way",
+                    .above = 0,
+                    .at_most = 5},
+                   m.skin, "auto");
+    keys.choice(
+        {.path = "method.precision",
+         .meaning = "of the pair sums: all in double; or pairs in float, with exact differences of position, and "
+                    "everything that is kept in double"},
+        m.precision, {"double", "mixed"});
     describe_terms(keys, m.pair_terms);
 
     keys.number({.path = "time.end", .unit = "s", .meaning = "simulated time", .above = 0, .required = true},

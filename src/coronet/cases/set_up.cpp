@@ -74,6 +74,7 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
     double const dx = c.particles.spacing;
     s.kernel = make_kernel(c.method.kernel, D, c.method.support * dx);
     s.skin = c.method.skin * dx;
+    s.precision = c.method.precision == "mixed" ? Precision::mixed : Precision::full;
     s.gradient = c.method.gradient == "sph"   ? Gradient::sph
                  : c.method.gradient == "cph" ? Gradient::cph
                                               : Gradient::fpm;

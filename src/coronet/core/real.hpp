@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The number types of the pair laws. A law is written once over a type R and runs with R = double: one
-// neighbour at a time, as on a GPU; or with R = Pack<double>: as many neighbours at a time as the machine's vectors
-// hold. Laws never branch on numbers; they use select(mask, a, b), which means the same for every R.
+// The number types of the pair laws. A law is written once over a type R and runs with R = double: one neighbour at a
+// time, as on a GPU; or with R = Pack<double> or Pack<float> (core/pack.hpp): as many neighbours at a time as the
+// machine's vectors hold. Laws never branch on numbers; they use select(mask, a, b), which means the same for every R.
 //
-// This file and simd.hpp are, with pairs/, the only homes of #if for CUDA and SIMD.
+// This file, pack.hpp and simd.hpp are, with pairs/, the only homes of #if for CUDA and SIMD.
 
 #include <cmath>
 #include <cstdint>
@@ -14,10 +14,6 @@
 #define CORONET_HD __host__ __device__
 #else
 #define CORONET_HD
-#endif
-
-#if !defined(__CUDACC__) && CORONET_SIMD
-#include <experimental/simd>
 #endif
 
 namespace coronet {
@@ -31,27 +27,8 @@ CORONET_HD inline double sum(double a) { return a; }
 CORONET_HD inline double square_root(double a) { return std::sqrt(a); }
 CORONET_HD inline double inverse_root(double a) { return 1 / std::sqrt(a); }
 
-#if !defined(__CUDACC__) && CORONET_SIMD
-
-template <class T>
-using Pack = std::experimental::native_simd<T>;
-
-// Declared here, before every template that calls them: argument-dependent lookup would search std::experimental only.
-inline Pack<double> select(Pack<double>::mask_type mask, Pack<double> a, Pack<double> b) {
-    std::experimental::where(mask, b) = a;
-    return b;
-}
-inline Pack<double> largest(Pack<double> a, Pack<double> b) { return std::experimental::max(a, b); }
-inline Pack<double> smallest(Pack<double> a, Pack<double> b) { return std::experimental::min(a, b); }
-inline double sum(Pack<double> a) { return std::experimental::reduce(a); }
-inline Pack<double> square_root(Pack<double> a) { return std::experimental::sqrt(a); }
-
-#else
-
-/// Without SIMD a pack holds one number, so the same loops serve.
-template <class T>
-using Pack = T;
-
-#endif
+/// Squares below that, relative to those of usual size, are taken for it, so that no number type runs out of range.
+template <class R>
+inline constexpr double nearest_square = 1e-24;
 
 }  // namespace coronet

@@ -78,19 +78,21 @@ public:
         return {array_[F::number].get() + static_cast<std::size_t>(component) * stride_, size_};
     }
 
-    /// Room for `count` numbers, aligned to 64 bytes: for copies that a sweep makes. Kept from call to call, since
+    /// Room for `count` numbers of T, aligned to 64 bytes: for copies that a sweep makes. Kept from call to call, since
     /// fresh memory costs more than the copy.
-    double* scratch(std::size_t count) const {
-        if (scratch_size_ < count) {
-            scratch_ = make_array(count);
-            scratch_size_ = count;
+    template <class T>
+    T* scratch(std::size_t count) const {
+        std::size_t const doubles = (count * sizeof(T) + sizeof(double) - 1) / sizeof(double);
+        if (scratch_size_ < doubles) {
+            scratch_ = make_array(doubles);
+            scratch_size_ = doubles;
         }
-        return scratch_.get();
+        return reinterpret_cast<T*>(scratch_.get());
     }
 
     /// Puts the particle that stands at from[i] at place i, with all its fields and its identity.
     void reorder(std::span<Index const> from) {
-        double* const spare = scratch(stride_);
+        double* const spare = scratch<double>(stride_);
         for (std::size_t field = 0; field < field_count; ++field) {
             if (!array_[field]) continue;
             for (int k = 0; k < count_[field]; ++k) {

@@ -42,6 +42,11 @@ public:
             }
     }
 
+    /// The lower corner [m].
+    Vector<double, D> const& low() const { return low_; }
+    /// The width of a cell [m].
+    double width() const { return 1 / inverse_width_; }
+
 private:
     int cell_along(double x, int k) const {
         int const cell = static_cast<int>((x - low_[k]) * inverse_width_);

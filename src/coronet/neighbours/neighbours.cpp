@@ -2,8 +2,10 @@
 #include "coronet/neighbours/neighbours.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "coronet/core/coordinate.hpp"
 #include "coronet/core/simd.hpp"
 
 namespace coronet {
@@ -13,36 +15,50 @@ namespace {
 constexpr std::size_t particles_per_chunk = 256;
 constexpr std::size_t pairs_per_block = 16384;
 
-/// Appends to `row`, which has room, those of [range.first, range.last) within `reach` of x, except `self`.
+// Of the support: a skin narrower than that gains nothing, and one that is wider is not worth its memory.
+constexpr double narrowest_skin = 0.005, widest_skin = 0.3;
+
+/// Coordinates of all particles as differences between neighbours want them, and how far is near.
 template <int D>
-Index* append_near(View<D> const& view, Range range, Vector<double, D> const& x, double reach, Index self, Index* row) {
-    for (Index j = range.first; j < range.last; j += pack_size) {
-        Pack<double> r2 = 0.0;
-        for (int k = 0; k < D; ++k) {
-            Pack<double> const d = load(view.template at<Position>(k) + j) - x[k];
-            r2 += d * d;
+struct Scan {
+    float const* x[D];
+    float reach2;  ///< in units of the coordinates
+
+    /// Appends to `row`, which has room, the places of those of [range.first, range.last) near i, except i.
+    Index* append_near(Range range, Index i, Index* row) const {
+        Pack<float> x_i[D];
+        for (int k = 0; k < D; ++k) x_i[k] = Pack<float>::copies(x[k][i]);
+        for (Index j = range.first; j < range.last; j += pack_size<float>) {
+            Pack<float> r2 = 0.0;
+            for (int k = 0; k < D; ++k) {
+                Pack<float> const d = Coordinate<float>::steps(load(x[k] + j), x_i[k]);
+                r2 += d * d;
+            }
+            unsigned held = lanes_below(r2, reach2);
+            if (range.last - j < pack_size<float>) held &= (1u << (range.last - j)) - 1;
+            if (j <= i && i < j + pack_size<float>) held &= ~(1u << (i - j));
+            squeeze_range<float, Neighbours<D>::place>(held, Neighbours<D>::place * j, row);
+            row += __builtin_popcount(held);
         }
-        unsigned held = lanes_below(r2, reach * reach);
-        if (range.last - j < pack_size) held &= (1u << (range.last - j)) - 1;
-        if (j <= self && self < j + pack_size) held &= ~(1u << (self - j));
-        squeeze_range(held, j, row);
-        row += __builtin_popcount(held);
+        return row;
     }
-    return row;
-}
+};
 
 }  // namespace
 
 template <int D>
 bool Neighbours<D>::update(Particles<D>& particles) {
+    ++updates_;
     if (still_valid(particles)) return false;
+    if (listing_cost_ > 0 && listings_ > 0) tune();
     list(particles);
     ++listings_;
+    updates_ = 0;
     return true;
 }
 
 template <int D>
-bool Neighbours<D>::still_valid(Particles<D> const& particles) const {
+bool Neighbours<D>::still_valid(Particles<D> const& particles) {
     if (count_.size() != particles.size() || listings_ == 0) return false;
     std::size_t const n = particles.size();
     auto const view = particles.view();
@@ -54,7 +70,16 @@ bool Neighbours<D>::still_valid(Particles<D> const& particles) const {
         double const d2 = norm2(moved(i) - mean);
         return d2 == d2 ? d2 : std::numeric_limits<double>::infinity();
     });
-    return 4 * farthest2 < skin_ * skin_;
+    farthest_ = std::sqrt(farthest2);
+    return 2 * farthest_ < skin_;
+}
+
+template <int D>
+void Neighbours<D>::tune() {
+    double const Lw = listing_cost_ * 2 * farthest_ / static_cast<double>(updates_);
+    double const b = (D - 1) * Lw;
+    double const best = (std::sqrt(b * b + 4 * D * Lw * support_) - b) / (2 * D);
+    if (best == best) skin_ = std::clamp(best, narrowest_skin * support_, widest_skin * support_);
 }
 
 template <int D>
@@ -65,35 +90,67 @@ void Neighbours<D>::list(Particles<D>& particles) {
 
     std::size_t const n = particles.size();
     auto const view = particles.view();
+
+    // The unit makes coordinates repeat after 64 cells, so that nothing in the cells around is taken for near. Lists
+    // may name a pair that is a few units too far, but never lack one. Where cells had to be made very wide, the unit
+    // would be too coarse: then it is finer, and what was taken for near is looked at again.
+    double const widest = 16 * reach;
+    bool const look_again = grid_.width() > widest;
+    double const unit = std::min(grid_.width(), widest) * 0x1p-26, limit = reach / unit * (1 + 0x1p-22) + 8;
+    Coordinate<float> const coordinate(unit);
+    std::size_t const stride = n + pack_size<float>;
+    float* const coordinates = particles.template scratch<float>(D * stride);
+    Scan<D> scan{{}, static_cast<float>(limit * limit)};
+    for (int k = 0; k < D; ++k) {
+        float* const to = coordinates + static_cast<std::size_t>(k) * stride;
+        scan.x[k] = to;
+        for_each(n, [&](std::size_t i) {
+            double const x = view.template at<Position>(k)[i];
+            view.template at<PositionListed>(k)[i] = x;
+            to[i] = coordinate.stored(x - grid_.low()[k]);
+        });
+    }
+
     first_.resize(n);
     count_.resize(n);
     chunks_.resize((n + particles_per_chunk - 1) / particles_per_chunk);
     for_blocks(chunks_.size(), [&](std::size_t c) {
         auto& chunk = chunks_[c];
         std::size_t const begin = c * particles_per_chunk, end = std::min(n, begin + particles_per_chunk);
+        thread_local std::vector<Index> rows;
         std::size_t used = 0;
         for (std::size_t i = begin; i < end; ++i) {
-            auto const x = view.template get<Position>(i);
-            view.template set<PositionListed>(i, x);
             std::size_t const start = used;
+            auto const x = view.template get<Position>(i);
             grid_.for_rows_around(x, [&](Range range) {
-                std::size_t const room = used + static_cast<std::size_t>(range.last - range.first) + pack_size;
-                if (chunk.size() < room) chunk.resize(room + room / 4);
-                Index* const end_of_row =
-                    append_near(view, range, x, reach, static_cast<Index>(i), chunk.data() + used);
-                used = static_cast<std::size_t>(end_of_row - chunk.data());
+                std::size_t const room = used + static_cast<std::size_t>(range.last - range.first) + pack_size<float>;
+                if (rows.size() < room) rows.resize(room + room / 4);
+                Index* const end_of_row = scan.append_near(range, static_cast<Index>(i), rows.data() + used);
+                used = static_cast<std::size_t>(end_of_row - rows.data());
             });
+            if (look_again) {
+                auto const far = [&](Index at) {
+                    return !(norm2(view.template get<Position>(static_cast<std::size_t>(at / place)) - x) <
+                             reach * reach);
+                };
+                auto const first = rows.begin() + static_cast<std::ptrdiff_t>(start);
+                auto const last = rows.begin() + static_cast<std::ptrdiff_t>(used);
+                used = start + static_cast<std::size_t>(std::remove_if(first, last, far) - first);
+            }
             count_[i] = static_cast<Index>(used - start);
         }
-        // A sweep reads whole packs of a row: keep one more readable behind the last.
-        chunk.resize(used + pack_size);
+        // No more memory than the rows need, but for a little room to grow in: most listings then reuse it.
+        std::size_t const whole = used + pack_size<float>;
+        if (chunk.size() < whole || chunk.size() > whole + whole / 8) {
+            chunk = {};
+            chunk.resize(whole + whole / 64);
+        }
+        std::copy_n(rows.begin(), used, chunk.begin());
         std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(used), chunk.end(), Index{0});
         Index const* row = chunk.data();
         for (std::size_t i = begin; i < end; row += count_[i], ++i) first_[i] = row;
     });
 
-    longest_ = 0;
-    for (Index count : count_) longest_ = std::max(longest_, static_cast<std::size_t>(count));
     all_ = {};
     cut(all_, n);
 }

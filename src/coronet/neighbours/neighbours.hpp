@@ -6,8 +6,16 @@
 // and the particles re-ordered along the cell grid. A common translation of all particles does not count as coming
 // closer.
 //
+// A wide skin makes rows longer than need be, a narrow one has them listed often. With the skin s, a sweep costs as
+// (1 + s/H)^D, and at a relative speed w (in m per update) lists last s/w updates; so
+//     cost(s) = (1 + s/H)^D (1 + L w/s),
+// with L the cost of a listing over that of an evaluation, is least where D s^2 + (D - 1) L w s = L w H. A skin that is
+// tuned follows this at every listing, with the w that it saw since the last; it depends on the motion alone, not on a
+// clock, so results stay the same from run to run.
+//
 // Rows hold each pair twice (j in the row of i, i in the row of j): every particle gathers its own sums.
 
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -29,8 +37,10 @@ struct Targets {
 template <int D>
 class Neighbours {
 public:
-    /// support and skin in m.
-    Neighbours(double support, double skin) : support_(support), skin_(skin) {}
+    /// support and skin in m. With a listing_cost (in evaluations) above zero the skin is only the first one, and
+    /// tuned.
+    Neighbours(double support, double skin, double listing_cost = 0)
+        : support_(support), skin_(skin), listing_cost_(listing_cost) {}
 
     // Rows point into the lists: a copy would point into the original's.
     Neighbours(Neighbours const&) = delete;
@@ -40,7 +50,15 @@ public:
     /// particles have been re-ordered.
     bool update(Particles<D>& particles);
 
-    std::span<Index const> row(std::size_t i) const { return {first_[i], static_cast<std::size_t>(count_[i])}; }
+    /// The neighbours of i as a sweep uses them: each is its number times `place`, where its group of four numbers
+    /// stands among those of all particles (pairs/records.hpp). As many as a pack holds may be read behind the last.
+    std::span<Index const> places(std::size_t i) const { return {first_[i], static_cast<std::size_t>(count_[i])}; }
+    static constexpr Index place = 4;
+
+    /// The numbers of the neighbours of i.
+    auto row(std::size_t i) const {
+        return places(i) | std::views::transform([](Index at) { return at / place; });
+    }
     Targets const& all() const { return all_; }
 
     /// Targets for the particles that `chosen` says; their blocks are cut by the same rule.
@@ -54,21 +72,23 @@ public:
     }
 
     double support() const { return support_; }
-    std::size_t longest_row() const { return longest_; }
+    double skin() const { return skin_; }
     std::size_t listings() const { return listings_; }
 
 private:
-    bool still_valid(Particles<D> const& particles) const;
+    bool still_valid(Particles<D> const& particles);
+    void tune();
     void list(Particles<D>& particles);
     void cut(Targets& targets, std::size_t count) const;
 
-    double support_, skin_;
+    double support_, skin_, listing_cost_;
     CellGrid<D> grid_;
     std::vector<std::vector<Index>> chunks_;  // the rows, chunk by chunk of particles
     std::vector<Index const*> first_;
     std::vector<Index> count_;
     Targets all_;
-    std::size_t longest_ = 0, listings_ = 0;
+    std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing
+    double farthest_ = 0;                     // motion since then, relative to the mean
 };
 
 }  // namespace coronet

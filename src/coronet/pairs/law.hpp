@@ -31,11 +31,22 @@ struct Sum : Terms... {
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
         Values<typename P::Number, P::dimension, gives> total;
-        (add(total, static_cast<Terms const&>(*this)(ij), typename Terms::gives{}), ...);
+        add_to(total, ij);
         return total;
     }
 
+    /// The same, term by term on top of what `total` holds: its last multiplication and the addition are then one.
+    template <class Total, class P>
+    CORONET_HD void add_to(Total& total, P const& ij) const {
+        (add_term(total, static_cast<Terms const&>(*this), ij), ...);
+    }
+
 private:
+    template <class Total, class T, class P>
+    CORONET_HD static void add_term(Total& total, T const& term, P const& ij) {
+        if constexpr (requires { term.add_to(total, ij); }) term.add_to(total, ij);
+        else add(total, term(ij), typename T::gives{});
+    }
     template <class Total, class Part, class... F>
     CORONET_HD static void add(Total& total, Part const& part, Fields<F...>) {
         ((F::of(total) += F::of(part)), ...);

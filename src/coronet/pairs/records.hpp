@@ -1,53 +1,113 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Records: what a law reads of a neighbour, packed together. A particle's position and the fields of the list stand
-// side by side, padded to whole groups of four numbers, so that a neighbour is fetched by a few wide loads from one or
-// two cache lines instead of one gather per number from as many arrays.
+// Records: what a sweep reads of a neighbour, packed together. A particle's position and the fields of the list are
+// numbers of type T in groups of four, so that a neighbour is fetched by a few wide loads instead of one gather per
+// number from as many arrays. The first groups of all particles stand one after another, then the second groups, and
+// so on: a group is found by the particle's place in the lists alone (neighbours/neighbours.hpp).
+//
+// With T = float coordinates are fixed-point numbers in units of support/2^24 (core/coordinate.hpp): finer than the
+// rounding of a distance in float.
 
+#include <type_traits>
+#include <utility>
+
+#include "coronet/core/coordinate.hpp"
 #include "coronet/core/simd.hpp"
 #include "coronet/fields/particles.hpp"
 
 namespace coronet {
 
-template <int D, class List>
-struct RecordLayout;
+template <int D, class T, class List>
+struct Records;
 
-template <int D, class... F>
-struct RecordLayout<D, Fields<F...>> {
+template <int D, class T, class... F>
+struct Records<D, T, Fields<F...>> {
     static constexpr int used = D + (0 + ... + components<F::rank, D>());
     static constexpr std::size_t width = static_cast<std::size_t>((used + 3) / 4 * 4);
 
-    /// Copies particles [first, last) into their records.
-    static void fill(View<D> const& view, std::size_t first, std::size_t last, double* records) {
-        double const* from[used];
-        double const** next = from;
-        for (int k = 0; k < D; ++k) *next++ = view.template at<Position>(k);
+    T* first;            ///< the first group of particle 0, aligned to 64 bytes
+    std::size_t stride;  ///< numbers from one group to the next of the same particle
+    Coordinate<T> coordinate;
+
+    /// Copies particles [begin, end) into their records.
+    void fill(View<D> const& view, std::size_t begin, std::size_t end) const {
+        double const* from[width];  // for each number of a record, and something to read for those that are unused
+        for (double const*& numbers : from) numbers = view.template at<Position>();
+        for (int k = 0; k < D; ++k) from[k] = view.template at<Position>(k);
         auto const add = [&]<class G>(G) {
-            for (int k = 0; k < components<G::rank, D>(); ++k) *next++ = view.template at<G>(k);
+            for (int k = 0; k < components<G::rank, D>(); ++k) from[slot(offset<G>() + k)] = view.template at<G>(k);
         };
         (add(F{}), ...);
-        for (std::size_t i = first; i < last; ++i)
-            for (std::size_t k = 0; k < used; ++k) records[i * width + k] = from[k][i];
-    }
-
-    /// Record n, behind those of n particles, fills the unused lanes of a pack: like the first particle (so that no law
-    /// divides by zero), but farther away than any support.
-    static void fill_filler(std::size_t n, double* records) {
-        for (std::size_t k = 0; k < width && n > 0; ++k) records[n * width + k] = k < D ? 1e30 : records[k];
-    }
-
-    /// Positions and values of the particles at index[0], index[1], ..., a lane each.
-    static void fetch(double const* records, Index const* index, Vector<Pack<double>, D>& x,
-                      Values<Pack<double>, D, Fields<F...>>& values) {
-        Pack<double> number[width];
-        for (std::size_t k = 0; k < width; k += 4) fetch_four(records + k, index, width, number + k);
-        Pack<double> const* next = number;
-        for (int k = 0; k < D; ++k) x[k] = *next++;
-        auto const take = [&]<class G>(G) {
-            for (int k = 0; k < components<G::rank, D>(); ++k) component(G::of(values), k) = *next++;
+        auto const fill_group = [&]<std::size_t group>(std::integral_constant<std::size_t, group>) {
+            T* const to = first + group * stride;
+            double const* const* const numbers = from + 4 * group;
+            for (std::size_t i = begin; i < end; ++i)
+                for (std::size_t c = 0; c < 4; ++c)
+                    to[4 * i + c] =
+                        4 * group + c < D ? coordinate.stored(numbers[c][i]) : static_cast<T>(numbers[c][i]);
         };
-        (take(F{}), ...);
+        [&]<std::size_t... group>(std::index_sequence<group...>) {
+            (fill_group(std::integral_constant<std::size_t, group>{}), ...);
+        }
+        (std::make_index_sequence<width / 4>{});
+    }
+
+    /// Positions (as stored) and the fields G... of the particles at place[0], place[1], ..., a lane each. Only groups
+    /// of four numbers that hold any of them are loaded.
+    template <class... G>
+    void fetch(Index const* place, Vector<Pack<T>, D>& x, Values<Pack<T>, D, Fields<G...>>& values) const {
+        Pack<T> number[width];
+        [&]<std::size_t... group>(std::index_sequence<group...>) {
+            ((holds_any<G...>(4 * group) ? fetch_four(first + group * stride, place, number + 4 * group) : void()),
+             ...);
+        }
+        (std::make_index_sequence<width / 4>{});
+        for (int k = 0; k < D; ++k) x[k] = number[k];
+        take_from([&](int k) { return number[k]; }, values, Fields<G...>{});
+    }
+
+    /// The same for particle i in every lane.
+    template <class V, class... G>
+    void spread(std::size_t i, Vector<Pack<T>, D>& x, V& values, Fields<G...> fields) const {
+        auto const number = [&](int k) { return Pack<T>::copies(first[at(i, k)]); };
+        for (int k = 0; k < D; ++k) x[k] = number(k);
+        take_from(number, values, fields);
+    }
+
+private:
+    std::size_t at(std::size_t i, int k) const {
+        return static_cast<std::size_t>(k / 4) * stride + 4 * i + static_cast<std::size_t>(k % 4);
+    }
+
+    /// Where number k of a record stands. If the last group holds two numbers, they stand first and third in it: that
+    /// saves half of their transposition.
+    static constexpr int slot(int k) { return used % 4 == 2 && k == used - 1 ? used : k; }
+
+    /// Which of a record's numbers is the first component of field G.
+    template <class G>
+    static constexpr int offset() {
+        int at = D;
+        bool found = false;
+        ((found = found || std::is_same_v<F, G>, at += found ? 0 : components<F::rank, D>()), ...);
+        return at;
+    }
+
+    template <class... G>
+    static constexpr bool holds_any(std::size_t group) {
+        auto const inside = [=](int begin, int count) {
+            return begin < static_cast<int>(group) + 4 && begin + count > static_cast<int>(group);
+        };
+        return inside(0, D) || (inside(offset<G>(), components<G::rank, D>()) || ...);
+    }
+
+    template <class Number, class V, class... G>
+    static void take_from(Number const& number, V& values, Fields<G...>) {
+        auto const take = [&]<class H>(H) {
+            for (int k = 0; k < components<H::rank, D>(); ++k)
+                component(H::of(values), k) = number(slot(offset<H>() + k));
+        };
+        (take(G{}), ...);
     }
 };
 

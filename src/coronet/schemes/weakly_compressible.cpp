@@ -7,15 +7,25 @@
 #include <fmt/format.h>
 
 #include "coronet/core/error.hpp"
-#include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
 
 namespace coronet {
 
+namespace {
+
+// Of a skin that is tuned: where it begins, as a share of the support, and the cost of a listing in sweeps
+// (docs/performance.md).
+constexpr double first_skin = 0.05, listing_cost = 0.7;
+
+}  // namespace
+
 template <int D>
 WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D> particles)
-    : settings_(settings), particles_(std::move(particles)), neighbours_(settings.kernel.support, settings.skin) {
+    : settings_(settings),
+      particles_(std::move(particles)),
+      neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
+                  settings.skin > 0 ? 0 : listing_cost / (one_sweep() ? 1 : 2)) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     if (!one_sweep()) particles_.allocate(Fields<Stress>{});
@@ -106,10 +116,10 @@ void WeaklyCompressible<D>::update_neighbours() {
 /// The mark holds until the next listing: meanwhile no pair comes nearer or parts by more than the skin.
 template <int D>
 void WeaklyCompressible<D>::mark_exterior() {
-    sweep(particles_, neighbours_, settings_.kernel, Sum{ExteriorMark{}});
     auto const surface = particles_.template get<Surface>();
     auto const exterior = particles_.template get<Exterior>();
-    for_each(particles_.owned(), [&](std::size_t i) { exterior[i] = exterior[i] + surface[i] > 0; });
+    sweep_parts(Part{neighbours_.all(), Sum{ExteriorMark{}},
+                     [&](std::size_t i, auto const& sums) { exterior[i] = sums.exterior + surface[i] > 0; }});
     exterior_ = neighbours_.targets([&](std::size_t i) { return exterior[i] > 0; });
     interior_ = neighbours_.targets([&](std::size_t i) { return !(exterior[i] > 0); });
 }
@@ -129,20 +139,15 @@ void WeaklyCompressible<D>::update_state() {
 template <int D>
 void WeaklyCompressible<D>::gradients_and_stress() {
     auto const view = particles_.view();
-    auto const& kernel = settings_.kernel;
-    CorrectedClose<D> const corrected{view, settings_.liquid, kernel.at_zero()};
+    CorrectedClose<D> const corrected{view, settings_.liquid, settings_.kernel.at_zero()};
     switch (settings_.gradient) {
         case Gradient::sph:
-            sweep(particles_, neighbours_, neighbours_.all(), kernel, PlainGradients{},
-                  PlainClose<D>{view, settings_.liquid});
+            sweep_parts(Part{neighbours_.all(), PlainGradients{}, PlainClose<D>{view, settings_.liquid}});
             return;
-        case Gradient::fpm:
-            sweep(particles_, neighbours_, neighbours_.all(), kernel, CorrectedGradients{}, corrected);
-            break;
+        case Gradient::fpm: sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected}); break;
         case Gradient::cph:
-            sweep(particles_, neighbours_, interior_, kernel, PlainGradients{},
-                  InteriorClose<D>{view, settings_.liquid});
-            sweep(particles_, neighbours_, exterior_, kernel, CorrectedGradients{}, corrected);
+            sweep_parts(Part{interior_, PlainGradients{}, InteriorClose<D>{view, settings_.liquid}},
+                        Part{exterior_, CorrectedGradients{}, corrected});
             break;
     }
     counters_.singular_now = static_cast<std::int64_t>(
@@ -155,8 +160,8 @@ void WeaklyCompressible<D>::forces() {
     auto const view = particles_.view();
     auto const g = settings_.gravity;
     auto const forces_of = [&](auto const& law) {
-        sweep(particles_, neighbours_, neighbours_.all(), settings_.kernel, law,
-              [=](std::size_t i, auto const& sums) { view.template set<Acceleration>(i, sums.dv + g); });
+        sweep_parts(Part{neighbours_.all(), law,
+                         [=](std::size_t i, auto const& sums) { view.template set<Acceleration>(i, sums.dv + g); }});
     };
     bool const plain = settings_.gradient == Gradient::sph;
     if (any_active(settings_.pair_terms)) {
@@ -181,10 +186,10 @@ void WeaklyCompressible<D>::rates_in_one_sweep() {
     auto const g = settings_.gravity;
     MorrisViscosity const viscosity{settings_.liquid.viscosity};
     auto const rates_of = [&](auto const& law) {
-        sweep(particles_, neighbours_, neighbours_.all(), settings_.kernel, law, [=](std::size_t i, auto const& sums) {
-            view.template set<Acceleration>(i, sums.dv + g);
-            view.template set<DensityRate>(i, sums.drho);
-        });
+        sweep_parts(Part{neighbours_.all(), law, [=](std::size_t i, auto const& sums) {
+                             view.template set<Acceleration>(i, sums.dv + g);
+                             view.template set<DensityRate>(i, sums.drho);
+                         }});
     };
     if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
     else rates_of(PlainSweep{{}, viscosity, {}});

@@ -69,8 +69,7 @@ void rates_on_device(typename WeaklyCompressible<D>::Settings const& settings, P
     for (std::size_t i = 0; i < n; ++i) begin[i + 1] = begin[i] + neighbours.row(i).size();
     thrust::host_vector<Index> neighbour(begin.back());
     for (std::size_t i = 0; i < n; ++i) {
-        auto const row = neighbours.row(i);
-        std::copy(row.begin(), row.end(), neighbour.begin() + static_cast<std::ptrdiff_t>(begin[i]));
+        std::ranges::copy(neighbours.row(i), neighbour.begin() + static_cast<std::ptrdiff_t>(begin[i]));
     }
     thrust::device_vector<std::size_t> const begin_there = begin;
     thrust::device_vector<Index> const index_there = neighbour;

@@ -15,6 +15,7 @@
 #include "coronet/materials/equation_of_state.hpp"
 #include "coronet/materials/newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
 
@@ -38,7 +39,8 @@ class WeaklyCompressible final : public Scheme<D> {
 public:
     struct Settings {
         Kernel kernel;
-        double skin = 0;  ///< [m]
+        double skin = 0;  ///< [m]; 0: tuned
+        Precision precision = Precision::full;
         Gradient gradient = Gradient::fpm;
         ViscousForce viscous_force = ViscousForce::stress;
         PositionUpdate position_update = PositionUpdate::mean_velocity;
@@ -68,6 +70,10 @@ public:
     void evaluate(double time);
 
 private:
+    template <class... Parts>
+    void sweep_parts(Parts const&... parts) {
+        sweep(particles_, neighbours_, settings_.kernel, settings_.precision, parts...);
+    }
     void update_neighbours();
     void mark_exterior();
     void update_state();

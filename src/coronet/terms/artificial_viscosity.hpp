@@ -17,7 +17,7 @@ struct ArtificialViscosity {
     double alpha = 0;  ///< linear coefficient [-]
     double beta = -1;  ///< quadratic coefficient [-]; unset: twice alpha
 
-    using reads = Fields<Mass, Density, SoundSpeed, Velocity>;
+    using reads = Fields<Volume, Velocity, Density, SoundSpeed>;
     using own = Fields<>;
     using gives = Fields<Acceleration>;
 
@@ -44,9 +44,10 @@ struct ArtificialViscosity {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         R const approach = smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
-        R const phi = ij.h * approach / (ij.r2 + R(0.01) * ij.h * ij.h);
-        R const Pi = phi * (R(beta) * phi - R(alpha / 2) * (ij.i.c + ij.j.c)) * R(2) / (ij.i.rho + ij.j.rho);
-        return give<gives>(ij, (-ij.j.m * Pi) * ij.gradW);
+        R const phi = approach * ij.soft;  // over h
+        R const minus_Pi =
+            phi * (R(alpha) * ij.h * (ij.i.c + ij.j.c) - R(2 * beta) * ij.h * ij.h * phi) / (ij.i.rho + ij.j.rho);
+        return give<gives>(ij, (minus_Pi * ij.j.rho * (ij.j.V * ij.F)) * ij.x);
     }
 };
 

@@ -15,7 +15,7 @@ struct Continuity {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, ij.i.rho * ij.j.V * dot(ij.i.v - ij.j.v, ij.gradW));
+        return give<gives>(ij, ij.i.rho * (ij.j.V * ij.F * dot(ij.i.v - ij.j.v, ij.x)));
     }
 };
 

@@ -20,9 +20,8 @@ struct MorrisViscosity {
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
-        R const softened = ij.r2 + R(0.01) * ij.h * ij.h;
-        return give<gives>(
-            ij, (R(2 * eta) * (R(1) / ij.i.rho) * ij.j.V * dot(ij.x, ij.gradW) / softened) * (ij.i.v - ij.j.v));
+        R const slope = (ij.j.V * ij.F) * (ij.r2 * ij.soft);  // V x . grad W/(r^2 + 0.01 h^2)
+        return give<gives>(ij, (R(2 * eta) * (1.0 / ij.i.rho) * slope) * (ij.i.v - ij.j.v));
     }
 };
 

@@ -16,8 +16,7 @@ struct PressureGradient {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        using R = typename P::Number;
-        return give<gives>(ij, (-(ij.i.p + ij.j.p) * ij.j.V * (R(1) / ij.i.rho)) * ij.gradW);
+        return give<gives>(ij, (-1.0 / ij.i.rho * (ij.i.p + ij.j.p) * (ij.j.V * ij.F)) * ij.x);
     }
 };
 

@@ -22,7 +22,7 @@ struct StressDivergence {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, (ij.j.V / ij.i.rho) * ((ij.i.sigma + ij.j.sigma) * ij.gradW));
+        return give<gives>(ij, (ij.j.V * (1.0 / ij.i.rho)) * ((ij.i.sigma + ij.j.sigma) * ij.gradW));
     }
 };
 
@@ -33,7 +33,7 @@ struct CorrectedStressDivergence {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, (ij.j.V / ij.i.rho) * ((ij.i.T + ij.j.T) * ij.gradW + ij.W * (ij.j.s - ij.i.s)));
+        return give<gives>(ij, (ij.j.V * (1.0 / ij.i.rho)) * ((ij.i.T + ij.j.T) * ij.gradW + ij.W * (ij.j.s - ij.i.s)));
     }
 };
 
