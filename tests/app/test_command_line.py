@@ -249,6 +249,16 @@ class ARunThatEndsEarly(CommandLine):
                             status=FAILED_RUN, preexec_fn=limit)
         self.assertRegex(done.stderr, r"cannot write run/frames/000000\.vtkhdf")
         self.assertEqual(list((self.folder / "run").rglob("*.vtkhdf")), [])
+        self.assertEqual(read_summary(self.folder / "run")["status"], "failed")
+
+    def test_by_a_last_frame_that_cannot_be_written_is_not_done(self):
+        """No later frame is due that could tell of it."""
+        (self.folder / "run" / "frames" / "000001.vtkhdf").mkdir(parents=True)  # a file cannot take its place
+        message = self.refused("run", *TINY, "--set", "output.every=1e-4", "--out", "run", "--quiet",
+                               status=FAILED_RUN)
+        self.assertRegex(message, r"t = 0\.0001 s, .*cannot write run/frames/000001\.vtkhdf: Is a directory")
+        self.assertEqual(read_summary(self.folder / "run")["status"], "failed")
+        self.assertEqual([file["time"] for file in listed_frames(self.folder / "run")], [0])
 
     def test_before_it_begins_where_it_cannot_write(self):
         (self.folder / "file").write_text("")

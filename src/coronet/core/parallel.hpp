@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The only doors to threads: a loop over blocks of work, and a sum over items in fixed blocks. Both give the same bits
-// for any number of threads: a block's work never depends on who does it, and partial sums are added in block order.
+// The only doors to threads that compute: a loop over blocks of work, and a sum over items in fixed blocks. Both give
+// the same bits for any number of threads: a block's work never depends on who does it, and partial sums are added in
+// block order.
 
 #include <algorithm>
 #include <cstddef>

@@ -3,13 +3,12 @@
 
 #include <array>
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/totals.hpp"
-#include "coronet/io/frame.hpp"
+#include "coronet/core/parallel.hpp"
 #include "coronet/io/whole_file.hpp"
 #include "coronet/version.hpp"
 
@@ -36,7 +35,7 @@ std::vector<FrameField> frame_fields(Particles<D> const& particles) {
         FrameField field{names[f], std::string(info.unit), components, std::vector<double>(n * components)};
         auto const put = [&](int from, int to) {
             double const* const values = view.first[shown[f]] + static_cast<std::size_t>(from) * view.stride;
-            for (std::size_t i = 0; i < n; ++i) field.values[i * components + to] = values[i];
+            for_each(n, [&](std::size_t i) { field.values[i * components + to] = values[i]; });
         };
         if (info.rank == Rank::scalar) put(0, 0);
         if (info.rank == Rank::vector)
@@ -58,6 +57,7 @@ Recorder<D>::Recorder(Case const& c, std::filesystem::path directory, Scheme<D>&
         for (std::string const& name : probe->columns()) columns.push_back(name);
     columns.push_back("singular_matrices");
     series_.emplace(directory_ / "series.csv", columns);
+    if (case_.output.frames) frames_.emplace(directory_);
 }
 
 template <int D>
@@ -86,19 +86,22 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
 
 template <int D>
 void Recorder<D>::frame(double time) {
-    if (!case_.output.frames) return;
+    if (!frames_) return;
     phases_.act("frames", [&] {
         scheme_.refresh();
         auto const& particles = scheme_.particles();
         auto const view = particles.view();
         Frame frame{time, std::vector<double>(3 * particles.owned()), particles.id, frame_fields(particles)};
-        for (std::size_t i = 0; i < particles.owned(); ++i)
+        for_each(particles.owned(), [&](std::size_t i) {
             for (int k = 0; k < D; ++k) frame.points[3 * i + k] = view.template at<Position>(k)[i];
-        auto const name = fmt::format("frames/{:06}.vtkhdf", frames_.size());
-        write_frame(directory_ / name, frame);
-        frames_.emplace_back(name, time);
-        write_frame_series(directory_, frames_);
+        });
+        frames_->push(std::move(frame));
     });
+}
+
+template <int D>
+void Recorder<D>::finish_frames() {
+    if (frames_) phases_.act("frames", [&] { frames_->drain(); });
 }
 
 template <int D>

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Writes what a run leaves: the series, row by row, the frames, and at the end the summary (see docs/guide.md).
+// Writes what a run leaves: the series, row by row, the frames, and at the end the summary (see docs/guide.md). Frames
+// are only copied here; they reach the disk behind the run's back.
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "coronet/cases/probe.hpp"
 #include "coronet/io/table.hpp"
+#include "coronet/run/frame_writer.hpp"
 #include "coronet/schemes/scheme.hpp"
 
 namespace coronet {
@@ -23,7 +24,10 @@ public:
 
     /// A row of the series. `step` counts from 0, `dt` is the last one taken.
     void sample(double time, std::int64_t step, double dt);
+    /// A frame of now. Throws RunError where an earlier one could not be written.
     void frame(double time);
+    /// Waits until all frames are on disk. Throws RunError where one could not be written.
+    void finish_frames();
     /// summary.json. `status` is done, interrupted or failed; `message` says why.
     void summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds);
 
@@ -33,7 +37,7 @@ private:
     Scheme<D>& scheme_;
     std::vector<std::unique_ptr<Probe<D>>> probes_;
     std::optional<Table> series_;
-    std::vector<std::pair<std::string, double>> frames_;
+    std::optional<FrameWriter> frames_;
     Arrangement arrangement_;
     Phases phases_;
 };

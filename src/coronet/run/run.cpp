@@ -78,16 +78,21 @@ RunStatus run(Case const& c, RunOptions const& options) {
             time = dt == due - time ? due : time + dt;
             ++steps;
         }
+        recorder.finish_frames();  // a run is done when its last frame is on disk
     } catch (RunError const& error) {
         std::string const message =
             fmt::format("the run failed at t = {:.6g} s, step {}: {}. {}; what was written is kept in {}", time, steps,
                         error.what(), advice(c), options.directory.string());
-        try {
-            recorder.frame(time);  // where it went wrong is worth a look
-            finish("failed", message);
-        } catch (RunError const&) {
-            // The disk may be what failed: the message says so already.
-        }
+        auto const attempt = [](auto const& act) {
+            try {
+                act();
+            } catch (std::exception const&) {
+                // What failed first is the cause and in the message; a full disk, say, refuses these too.
+            }
+        };
+        attempt([&] { recorder.frame(time); });  // where it went wrong is worth a look
+        attempt([&] { recorder.finish_frames(); });
+        attempt([&] { finish("failed", message); });
         throw RunError(message);
     }
     bool const stopped = time < c.time.end;
