@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include "coronet/app/bench.hpp"
 #include "coronet/app/plot.hpp"
 #include "coronet/cases/builtin.hpp"
 #include "coronet/cases/nearest.hpp"
@@ -89,6 +90,8 @@ int start(int argc, char** argv) {
     auto* const plot_command = app.add_subcommand("plot", "draw the figures of a run into DIR/figures");
     plot_command->add_option("DIR", directory, "the directory of a run")->required();
     plot_command->add_option("--with", with, "other runs of the same case to draw beside it");
+    BenchOptions bench_options;
+    auto* const bench_command = add_bench(app, bench_options);
 
     std::vector<std::string> commands;
     for (auto* command : app.get_subcommands([](CLI::App*) { return true; })) commands.push_back(command->get_name());
@@ -109,6 +112,7 @@ int start(int argc, char** argv) {
     if (*check_command) check(name, settings);
     if (*keys_command) fmt::print("{}", keys_page());
     if (*plot_command) return plot(directory, with);
+    if (*bench_command) bench(bench_options);
     return done;
 }
 
