@@ -110,7 +110,7 @@ template <int D>
 void expect_stress(Matrix<double, D> const& grad_v, Matrix<double, D> const& expected) {
     auto const sigma = Newtonian{viscosity}.stress(pressure, grad_v);
     // No component has parts above the pressure and two viscous ones of D + 1 entries.
-    double const rounding = 2 * eps * (pressure + 2 * viscosity * (D + 1) * norm(grad_v));
+    double const rounding = 2 * eps * (pressure + 2 * viscosity * (D + 1) * std::sqrt(norm2(grad_v)));
     for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) EXPECT_NEAR(sigma(a, b), expected(a, b), rounding) << a << b;
 }
@@ -180,7 +180,7 @@ TEST(Newtonian, StressTurnsWithTheFlow) {
         auto const sigma_of_turned = Newtonian{viscosity}.stress(pressure, turned(grad_v));
         // Each of the two products has D parts per entry, each of Q's entries some rounding of n; |Q| is
         // D^(1/2).
-        double const size = std::sqrt(D) * pressure + 2 * viscosity * 3 * norm(grad_v);
+        double const size = std::sqrt(D) * pressure + 2 * viscosity * 3 * std::sqrt(norm2(grad_v));
         for (int a = 0; a < D; ++a)
             for (int b = 0; b < D; ++b) EXPECT_NEAR(sigma_of_turned(a, b), turned(sigma)(a, b), 16 * D * eps * size);
     });

@@ -39,11 +39,11 @@ TEST(Roofline, TheMachineTellsItsCores) {
     EXPECT_GE(OtherLoad().cores(), 0);
 }
 
-/// Plain SPH in one sweep reads V, p, v, m, rho and c beside the position, and keeps the two rates; in double a record
+/// Plain SPH in one sweep reads V, p, v, rho and c beside the position, and keeps the two rates; in double a record
 /// has all that it reads.
 TEST(Work, OfOneSweepIsThatOnPaper) {
     Case const c = benchmark_case({.dimension = 2, .gradient = "sph"});
-    EXPECT_DOUBLE_EQ(work_per_evaluation<2>(c, 40, 0).bytes, 8 * (9 + 3) + 2 * 8 * 9 + 4 * 40);
+    EXPECT_DOUBLE_EQ(work_per_evaluation<2>(c, 40, 0).bytes, 8 * (8 + 3) + 2 * 8 * 8 + 4 * 40);
     EXPECT_DOUBLE_EQ(work_per_evaluation<2>(c, 40, 0).operations, 2 * work_per_evaluation<2>(c, 20, 0).operations);
 }
 

@@ -47,6 +47,34 @@ inline void fetch_four(float const* first, Index const* place, Pack<float>* comp
     component[3] = Pack<float>(_mm512_castpd_ps(_mm512_unpackhi_pd(ab23, cd23)));
 }
 
+/// The number that lane l points to.
+inline Pack<double> fetch_one(double const* first, Index const* place) {
+    return Pack<double>(_mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(place)), first, 8));
+}
+inline Pack<float> fetch_one(float const* first, Index const* place) {
+    return Pack<float>(_mm512_i32gather_ps(_mm512_loadu_si512(place), first, 4));
+}
+
+/// The sums of the lanes of eight packs, formed in double, in less than half of the time of eight single sums.
+inline void sum_eight(Pack<double> const* a, double* sums) {
+    auto const pairs = [&](int k) {
+        return _mm512_unpacklo_pd(a[k].lanes, a[k + 1].lanes) + _mm512_unpackhi_pd(a[k].lanes, a[k + 1].lanes);
+    };
+    auto const blocks = [](__m512d p, __m512d q) {
+        return _mm512_shuffle_f64x2(p, q, 0x88) + _mm512_shuffle_f64x2(p, q, 0xdd);
+    };
+    _mm512_storeu_pd(sums, blocks(blocks(pairs(0), pairs(2)), blocks(pairs(4), pairs(6))));
+}
+inline void sum_eight(Pack<float> const* a, double* sums) {
+    Pack<double> halves[8];
+    for (int k = 0; k < 8; ++k) {
+        __m256 const low = _mm512_castps512_ps256(a[k].lanes);
+        __m256 const high = _mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(a[k].lanes), 1));
+        halves[k] = Pack<double>(_mm512_cvtps_pd(low) + _mm512_cvtps_pd(high));
+    }
+    sum_eight(halves, sums);
+}
+
 /// The first `count` lanes of a, and `other` in those behind them.
 inline Pack<double> keep_first(Pack<double> const& a, std::size_t count, Pack<double> const& other) {
     auto const held = static_cast<__mmask8>(count < 8 ? (1u << count) - 1 : 0xffu);
@@ -88,6 +116,16 @@ template <class T>
 void fetch_four(T const* first, Index const* place, Pack<T>* component) {
     for (int c = 0; c < 4; ++c)
         for (int lane = 0; lane < pack_size<T>; ++lane) component[c].lanes[lane] = first[place[lane] + c];
+}
+template <class T>
+Pack<T> fetch_one(T const* first, Index const* place) {
+    Pack<T> pack;
+    for (int lane = 0; lane < pack_size<T>; ++lane) pack.lanes[lane] = first[place[lane]];
+    return pack;
+}
+template <class T>
+void sum_eight(Pack<T> const* a, double* sums) {
+    for (int k = 0; k < 8; ++k) sums[k] = sum(a[k]);
 }
 template <class T>
 Pack<T> keep_first(Pack<T> a, std::size_t count, Pack<T> const& other) {

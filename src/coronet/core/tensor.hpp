@@ -4,6 +4,8 @@
 // Small vectors, symmetric tensors and square matrices of R in D = 1, 2 or 3 dimensions. Plain aggregates: they live in
 // registers, on the host and on a GPU alike.
 
+#include <utility>
+
 #include "coronet/core/real.hpp"
 
 namespace coronet {
@@ -43,6 +45,13 @@ struct Matrix {
     CORONET_HD constexpr R const& operator[](int k) const { return c[k]; }
 };
 
+/// act(0), act(1), ..., act(n - 1) without a loop: loops over components hide from the compiler, until it is too late,
+/// that each of them can live in a register.
+template <int n, class Act>
+CORONET_HD constexpr void unrolled(Act const& act) {
+    [&]<int... k>(std::integer_sequence<int, k...>) { (act(k), ...); }(std::make_integer_sequence<int, n>{});
+}
+
 template <class T>
 concept Tensor = requires(T t) {
     T::size;
@@ -51,34 +60,34 @@ concept Tensor = requires(T t) {
 
 template <Tensor T>
 CORONET_HD constexpr T operator+(T a, T const& b) {
-    for (int k = 0; k < T::size; ++k) a.c[k] += b.c[k];
+    unrolled<T::size>([&](int k) { a.c[k] += b.c[k]; });
     return a;
 }
 template <Tensor T>
 CORONET_HD constexpr T operator-(T a, T const& b) {
-    for (int k = 0; k < T::size; ++k) a.c[k] -= b.c[k];
+    unrolled<T::size>([&](int k) { a.c[k] -= b.c[k]; });
     return a;
 }
 template <Tensor T>
 CORONET_HD constexpr T& operator+=(T& a, T const& b) {
-    for (int k = 0; k < T::size; ++k) a.c[k] += b.c[k];
+    unrolled<T::size>([&](int k) { a.c[k] += b.c[k]; });
     return a;
 }
 template <class S, Tensor T>
 CORONET_HD constexpr T operator*(S const& s, T a) {
-    for (int k = 0; k < T::size; ++k) a.c[k] = s * a.c[k];
+    unrolled<T::size>([&](int k) { a.c[k] = s * a.c[k]; });
     return a;
 }
 template <Tensor T>
 CORONET_HD constexpr T operator-(T a) {
-    for (int k = 0; k < T::size; ++k) a.c[k] = -a.c[k];
+    unrolled<T::size>([&](int k) { a.c[k] = -a.c[k]; });
     return a;
 }
 
 template <class R, int D>
 CORONET_HD constexpr R dot(Vector<R, D> const& a, Vector<R, D> const& b) {
     R s = a[0] * b[0];
-    for (int k = 1; k < D; ++k) s += a[k] * b[k];
+    unrolled<D - 1>([&](int k) { s += a[k + 1] * b[k + 1]; });
     return s;
 }
 template <class R, int D>
@@ -89,61 +98,58 @@ CORONET_HD constexpr R norm2(Vector<R, D> const& a) {
 template <class R, int D>
 CORONET_HD constexpr Vector<R, D> operator*(Symmetric<R, D> const& a, Vector<R, D> const& b) {
     Vector<R, D> r;
-    for (int k = 0; k < D; ++k) {
-        r[k] = a(k, 0) * b[0];
-        for (int l = 1; l < D; ++l) r[k] += a(k, l) * b[l];
-    }
+    unrolled<D>([&](int k) { r[k] = a(k, 0) * b[0]; });
+    unrolled<D*(D - 1)>([&](int kl) { r[kl % D] += a(kl % D, kl / D + 1) * b[kl / D + 1]; });
     return r;
 }
 template <class R, int D>
 CORONET_HD constexpr Vector<R, D> operator*(Matrix<R, D> const& a, Vector<R, D> const& b) {
     Vector<R, D> r;
-    for (int k = 0; k < D; ++k) {
-        r[k] = a(k, 0) * b[0];
-        for (int l = 1; l < D; ++l) r[k] += a(k, l) * b[l];
-    }
+    unrolled<D>([&](int k) { r[k] = a(k, 0) * b[0]; });
+    unrolled<D*(D - 1)>([&](int kl) { r[kl % D] += a(kl % D, kl / D + 1) * b[kl / D + 1]; });
     return r;
 }
 /// Products of small matrices, of any two kinds with operator()(row, column).
 template <class R, int D, class A, class B>
 CORONET_HD constexpr Matrix<R, D> product(A const& a, B const& b) {
     Matrix<R, D> r;
-    for (int i = 0; i < D; ++i)
-        for (int k = 0; k < D; ++k)
-            for (int l = 0; l < D; ++l) r(i, k) += a(i, l) * b(l, k);
+    unrolled<D * D * D>([&](int n) {
+        int const i = n / (D * D), k = n / D % D, l = n % D;
+        r(i, k) += a(i, l) * b(l, k);
+    });
     return r;
 }
 template <class R, int D>
 CORONET_HD constexpr Matrix<R, D> outer(Vector<R, D> const& a, Vector<R, D> const& b) {
     Matrix<R, D> r;
-    for (int k = 0; k < D; ++k)
-        for (int l = 0; l < D; ++l) r(k, l) = a[k] * b[l];
+    unrolled<D * D>([&](int kl) { r[kl] = a[kl / D] * b[kl % D]; });
     return r;
 }
+/// The same for parallel vectors, whose outer product is symmetric.
 template <class R, int D>
-CORONET_HD constexpr Symmetric<R, D> square(Vector<R, D> const& a) {
+CORONET_HD constexpr Symmetric<R, D> outer_of_parallels(Vector<R, D> const& a, Vector<R, D> const& b) {
     Symmetric<R, D> r;
-    for (int k = 0; k < D; ++k)
-        for (int l = k; l < D; ++l) r(k, l) = a[k] * a[l];
+    unrolled<D * D>([&](int kl) {
+        if (kl / D <= kl % D) r(kl / D, kl % D) = a[kl / D] * b[kl % D];
+    });
     return r;
 }
 template <class R, int D>
 CORONET_HD constexpr Matrix<R, D> transpose(Matrix<R, D> const& a) {
     Matrix<R, D> r;
-    for (int k = 0; k < D; ++k)
-        for (int l = 0; l < D; ++l) r(k, l) = a(l, k);
+    unrolled<D * D>([&](int kl) { r[kl] = a(kl % D, kl / D); });
     return r;
 }
 template <class R, int D>
 CORONET_HD constexpr R trace(Matrix<R, D> const& a) {
     R s = a(0, 0);
-    for (int k = 1; k < D; ++k) s += a(k, k);
+    unrolled<D - 1>([&](int k) { s += a(k + 1, k + 1); });
     return s;
 }
 template <class R, int D>
 CORONET_HD constexpr Matrix<R, D> identity() {
     Matrix<R, D> r;
-    for (int k = 0; k < D; ++k) r(k, k) = R(1);
+    unrolled<D>([&](int k) { r(k, k) = R(1); });
     return r;
 }
 
@@ -168,21 +174,20 @@ CORONET_HD constexpr Matrix<R, D> adjugate(Matrix<R, D> const& a) {
         return {{a(1, 1), -a(0, 1), -a(1, 0), a(0, 0)}};
     } else {
         Matrix<R, D> r;
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) {
-                int const k1 = (k + 1) % 3, k2 = (k + 2) % 3, i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-                r(i, k) = a(k1, i1) * a(k2, i2) - a(k1, i2) * a(k2, i1);
-            }
+        unrolled<9>([&](int ik) {
+            int const i = ik / 3, k = ik % 3, k1 = (k + 1) % 3, k2 = (k + 2) % 3, i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+            r(i, k) = a(k1, i1) * a(k2, i2) - a(k1, i2) * a(k2, i1);
+        });
         return r;
     }
 }
 
-/// The Frobenius norm, the root of the sum of squares.
+/// The square of the Frobenius norm, the sum of squares.
 template <class R, int D>
-CORONET_HD R norm(Matrix<R, D> const& a) {
+CORONET_HD R norm2(Matrix<R, D> const& a) {
     R s = a[0] * a[0];
-    for (int k = 1; k < D * D; ++k) s += a[k] * a[k];
-    return square_root(s);
+    unrolled<D * D - 1>([&](int k) { s += a[k + 1] * a[k + 1]; });
+    return s;
 }
 
 }  // namespace coronet

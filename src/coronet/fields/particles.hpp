@@ -33,12 +33,12 @@ struct View {
     template <class F>
     CORONET_HD ValueOf<F, double, D> get(std::size_t i) const {
         ValueOf<F, double, D> value{};
-        for (int k = 0; k < components<F::rank, D>(); ++k) component(value, k) = at<F>(k)[i];
+        unrolled<components<F::rank, D>()>([&](int k) { component(value, k) = at<F>(k)[i]; });
         return value;
     }
     template <class F>
     CORONET_HD void set(std::size_t i, ValueOf<F, double, D> const& value) const {
-        for (int k = 0; k < components<F::rank, D>(); ++k) at<F>(k)[i] = component(value, k);
+        unrolled<components<F::rank, D>()>([&](int k) { at<F>(k)[i] = component(value, k); });
     }
 };
 

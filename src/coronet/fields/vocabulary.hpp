@@ -28,8 +28,9 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                     \
     X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                  \
     X(Stress, sigma, symmetric, "Pa", "total stress -p I + tau")                                           \
-    X(CorrectedStress, T, matrix, "Pa", "stress times the gradient correction, sigma L")                   \
-    X(StressOffset, s, vector, "Pa/m", "stress times the value correction, sigma q")                       \
+    X(CorrectedStress, VT, matrix, "Pa m^3", "volume times stress times the gradient correction, V sigma L") \
+    X(StressOffset, Vs, vector, "Pa m^2", "volume times stress times the value correction, V sigma q")     \
+    X(OwnAcceleration, own_dv, vector, "m/s^2", "the part of a particle's own stress in its acceleration")  \
     X(FellBack, fell_back, scalar, "-", "1 where a singular matrix left the plain gradient, else 0")       \
     X(PositionBefore, x0, vector, "m", "position at the start of the step")                                \
     X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                              \

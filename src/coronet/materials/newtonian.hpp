@@ -16,9 +16,11 @@ struct Newtonian {
     CORONET_HD Symmetric<double, D> stress(double p, Matrix<double, D> const& grad_v) const {
         Symmetric<double, D> sigma;
         double const mean = trace(grad_v) / D;
-        for (int a = 0; a < D; ++a)
-            for (int b = a; b < D; ++b) sigma(a, b) = viscosity * (grad_v(a, b) + grad_v(b, a));
-        for (int a = 0; a < D; ++a) sigma(a, a) -= p + 2 * viscosity * mean;
+        unrolled<D * D>([&](int ab) {
+            int const a = ab / D, b = ab % D;
+            if (a <= b) sigma(a, b) = viscosity * (grad_v(a, b) + grad_v(b, a));
+        });
+        unrolled<D>([&](int a) { sigma(a, a) -= p + 2 * viscosity * mean; });
         return sigma;
     }
 };

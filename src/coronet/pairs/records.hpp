@@ -59,11 +59,10 @@ struct Records<D, T, Fields<F...>> {
     void fetch(Index const* place, Vector<Pack<T>, D>& x, Values<Pack<T>, D, Fields<G...>>& values) const {
         Pack<T> number[width];
         [&]<std::size_t... group>(std::index_sequence<group...>) {
-            ((holds_any<G...>(4 * group) ? fetch_four(first + group * stride, place, number + 4 * group) : void()),
-             ...);
+            (fetch_group<group, G...>(place, number), ...);
         }
         (std::make_index_sequence<width / 4>{});
-        for (int k = 0; k < D; ++k) x[k] = number[k];
+        unrolled<D>([&](int k) { x[k] = number[k]; });
         take_from([&](int k) { return number[k]; }, values, Fields<G...>{});
     }
 
@@ -71,7 +70,7 @@ struct Records<D, T, Fields<F...>> {
     template <class V, class... G>
     void spread(std::size_t i, Vector<Pack<T>, D>& x, V& values, Fields<G...> fields) const {
         auto const number = [&](int k) { return Pack<T>::copies(first[at(i, k)]); };
-        for (int k = 0; k < D; ++k) x[k] = number(k);
+        unrolled<D>([&](int k) { x[k] = number(k); });
         take_from(number, values, fields);
     }
 
@@ -101,11 +100,21 @@ private:
         return inside(0, D) || (inside(offset<G>(), components<G::rank, D>()) || ...);
     }
 
+    template <std::size_t group, class... G>
+    void fetch_group(Index const* place, Pack<T>* number) const {
+        constexpr std::size_t at = 4 * group;
+        // One number of a last group, or two floats, are gathered faster than the group is transposed.
+        constexpr int left = used - static_cast<int>(at);
+        if constexpr (left <= (sizeof(T) == 4 ? 2 : 1) && holds_any<G...>(at)) {
+            for (int k = static_cast<int>(at); k < used; ++k) number[slot(k)] = fetch_one(&first[group * stride + slot(k) % 4], place);
+        } else if constexpr (holds_any<G...>(at)) fetch_four(first + group * stride, place, number + at);
+    }
+
     template <class Number, class V, class... G>
     static void take_from(Number const& number, V& values, Fields<G...>) {
         auto const take = [&]<class H>(H) {
-            for (int k = 0; k < components<H::rank, D>(); ++k)
-                component(H::of(values), k) = number(slot(offset<H>() + k));
+            unrolled<components<H::rank, D>()>(
+                [&](int k) { component(H::of(values), k) = number(slot(offset<H>() + k)); });
         };
         (take(G{}), ...);
     }

@@ -39,20 +39,40 @@ namespace detail {
 template <class... F, int D, class V>
 void spread_own(View<D> const& view, std::size_t i, V& values, Fields<F...>) {
     [[maybe_unused]] auto const fill = [&]<class G>(G) {
-        for (int k = 0; k < components<G::rank, D>(); ++k) component(G::of(values), k) = view.template at<G>(k)[i];
+        unrolled<components<G::rank, D>()>([&](int k) { component(G::of(values), k) = view.template at<G>(k)[i]; });
     };
     (fill(F{}), ...);
 }
 
-template <class R, int D, class... F>
-Values<double, D, Fields<F...>> sum_lanes(Values<R, D, Fields<F...>> const& packs) {
-    Values<double, D, Fields<F...>> sums;
-    auto const fill = [&]<class G>(G) {
-        for (int k = 0; k < components<G::rank, D>(); ++k) component(G::of(sums), k) = sum(component(G::of(packs), k));
-    };
-    (fill(F{}), ...);
-    return sums;
-}
+template <int D, class List>
+struct RowSums;
+
+/// The sums of a row, component after component, as they come from the lanes.
+template <int D, class... F>
+struct RowSums<D, Fields<F...>> {
+    static constexpr int count = (0 + ... + components<F::rank, D>()), room = (count + 7) / 8 * 8;
+    double sum[room];
+
+    template <class R>
+    explicit RowSums(Values<R, D, Fields<F...>> const& packs) {
+        R all[room] = {};
+        int next = 0;
+        auto const take = [&]<class G>(G) {
+            unrolled<components<G::rank, D>()>([&](int k) { all[next++] = component(G::of(packs), k); });
+        };
+        (take(F{}), ...);
+        for (int k = 0; k < room; k += 8) sum_eight(all + k, sum + k);
+    }
+    Values<double, D, Fields<F...>> values() const {
+        Values<double, D, Fields<F...>> values;
+        int next = 0;
+        auto const give = [&]<class G>(G) {
+            unrolled<components<G::rank, D>()>([&](int k) { component(G::of(values), k) = sum[next++]; });
+        };
+        (give(F{}), ...);
+        return values;
+    }
+};
 
 /// Sums a law over the neighbours of i, with a kernel of so many knots. Kept out of line, so that instantiations can be
 /// counted by name.
@@ -74,7 +94,7 @@ template <int D, class T, int knots, class List, class Law>
     for (std::size_t k = 0; k < count; k += pack_size<T>) {
         Vector<R, D> x_j;
         records.fetch(places.data() + k, x_j, ij.j);
-        for (int a = 0; a < D; ++a) ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]);
+        unrolled<D>([&](int a) { ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]); });
         ij.r2 = keep_first(norm2(ij.x), count - k, far);
         ij.soft = 1.0 / (ij.r2 + softening);
         auto const [W, F] = kernel.template at<knots>(ij.r2);
@@ -83,7 +103,7 @@ template <int D, class T, int knots, class List, class Law>
         ij.gradW = F * ij.x;
         law.add_to(total, ij);
     }
-    return sum_lanes(total);
+    return RowSums<D, typename Law::gives>(total);
 }
 
 template <int D, class T, int knots, class... Parts>
@@ -95,10 +115,11 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
     Records<D, T, List> const records{particles.template scratch<T>(n * Records<D, T, List>::width), 4 * n,
                                       Coordinate<T>(kernel.support * 0x1p-24)};
     for_ranges(n, [&](std::size_t first, std::size_t last) { records.fill(view, first, last); });
-    auto const run = [&](auto const& part, std::size_t block) {
+    auto const run = [&](auto const& part, std::size_t block) __attribute__((flatten)) {
         for (std::size_t k = part.targets.begin[block]; k < part.targets.begin[block + 1]; ++k) {
             std::size_t const i = part.targets[k];
-            part.close(i, sweep_row<D, T, knots>(view, records, neighbours.places(i), i, kernel, part.law));
+            auto const sums = sweep_row<D, T, knots>(view, records, neighbours.places(i), i, kernel, part.law);
+            part.close(i, sums.values());
         }
     };
     for_blocks((parts.targets.blocks() + ...), [&](std::size_t block) {

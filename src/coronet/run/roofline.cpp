@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <vector>
@@ -12,7 +11,7 @@
 #include <unistd.h>
 
 #include "coronet/core/parallel.hpp"
-#include "coronet/core/real.hpp"
+#include "coronet/core/pack.hpp"
 
 namespace coronet {
 
@@ -25,24 +24,19 @@ double seconds_of(Act const& act) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-template <class T>
-inline constexpr std::size_t lanes = sizeof(Pack<T>) / sizeof(T);
-
 /// Enough chains for two units that take four or five cycles each, few enough for sixteen registers.
 constexpr int chains = 12;
 
 /// Multiplies and adds `times` times in every chain. The sum of all lanes is returned, so that nothing is left out.
 template <class T>
-double multiply_and_add(std::int64_t times, T start) {
-    Pack<T> const factor(T(0.999)), summand(start);
+double multiply_and_add(std::int64_t times, double start) {
+    Pack<T> const factor(0.999), summand(start);
     Pack<T> chain[chains];
-    for (int k = 0; k < chains; ++k) chain[k] = Pack<T>(start + T(k));
+    for (int k = 0; k < chains; ++k) chain[k] = Pack<T>(start + k);
     for (std::int64_t n = 0; n < times; ++n)
         for (int k = 0; k < chains; ++k) chain[k] = chain[k] * factor + summand;
-    T numbers[chains * lanes<T>];
-    std::memcpy(numbers, chain, sizeof numbers);
     double total = 0;
-    for (T const number : numbers) total += static_cast<double>(number);
+    for (Pack<T> const& pack : chain) total += sum(pack);
     return total;
 }
 
@@ -52,14 +46,14 @@ double operations_per_second() {
     std::vector<double> results(workers);
     auto const try_once = [&](std::int64_t times) {
         return seconds_of([&] {
-            for_blocks(workers, [&](std::size_t w) { results[w] = multiply_and_add(times, T(1) + results[w] * T(0)); });
+            for_blocks(workers, [&](std::size_t w) { results[w] = multiply_and_add<T>(times, 1 + results[w] * 0); });
         });
     };
     std::int64_t times = 1000;
     while (try_once(times) < 0.005) times *= 2;
     double least = try_once(times);
     for (int k = 0; k < 60; ++k) least = std::min(least, try_once(times));
-    return 2.0 * chains * lanes<T> * static_cast<double>(times) * static_cast<double>(workers) / least;
+    return 2.0 * chains * pack_size<T> * static_cast<double>(times) * static_cast<double>(workers) / least;
 }
 
 double bytes_per_second(std::size_t bytes) {

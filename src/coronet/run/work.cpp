@@ -41,7 +41,7 @@ Work work_per_evaluation(Case const& c, double neighbours, double exterior) {
         return with_terms ? of_sweep<D, Rates>(c, neighbours, PlainSweepAndPairTerms{{}, viscosity, {}, terms})
                           : of_sweep<D, Rates>(c, neighbours, PlainSweep{{}, viscosity, {}});
 
-    using ForForces = Fields<DensityRate, CorrectedStress, StressOffset>;
+    using ForForces = Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration>;
     using Forces = Fields<Acceleration>;
     if (plain)
         return of_sweep<D, Fields<DensityRate, Stress>>(c, neighbours, PlainGradients{}) +

@@ -9,7 +9,6 @@
 
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/terms/continuity.hpp"
-#include "coronet/terms/exterior_mark.hpp"
 #include "coronet/terms/moments.hpp"
 #include "coronet/terms/morris_viscosity.hpp"
 #include "coronet/terms/pressure_gradient.hpp"

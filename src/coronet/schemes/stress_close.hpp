@@ -7,6 +7,7 @@
 #include "coronet/fields/particles.hpp"
 #include "coronet/materials/newtonian.hpp"
 #include "coronet/terms/gradient_correction.hpp"
+#include "coronet/terms/stress_divergence.hpp"
 
 namespace coronet {
 
@@ -23,7 +24,21 @@ struct PlainClose {
     }
 };
 
-/// fpm, and the exterior of cph: the corrected gradient; the force sweep reads sigma L and sigma q.
+/// The stress in the form that the corrected force sweep reads, V sigma L and V sigma q, and what particle i adds to its
+/// own acceleration. W0 and G0 are sums over the neighbours.
+template <int D>
+CORONET_HD void set_corrected_stress(View<D> const& view, std::size_t i, Symmetric<double, D> const& sigma,
+                                     Matrix<double, D> const& L, Vector<double, D> const& q,
+                                     Vector<double, D> const& G0, double W0) {
+    double const V = view.template at<Volume>()[i], rho = view.template at<Density>()[i];
+    auto const T = product<double, D>(sigma, L);
+    auto const s = sigma * q;
+    view.template set<CorrectedStress>(i, V * T);
+    view.template set<StressOffset>(i, V * s);
+    view.template set<OwnAcceleration>(i, CorrectedStressDivergence::own_part(T, s, rho, G0, W0));
+}
+
+/// fpm, and the exterior of cph: the corrected gradient.
 template <int D>
 struct CorrectedClose {
     View<D> view;
@@ -38,25 +53,43 @@ struct CorrectedClose {
         auto const sigma = liquid.stress(view.template at<Pressure>()[i], grad_v);
         view.template at<DensityRate>()[i] = -view.template at<Density>()[i] * trace(grad_v);
         view.template set<Stress>(i, sigma);
-        view.template set<CorrectedStress>(i, product<double, D>(sigma, correction.L));
-        view.template set<StressOffset>(i, sigma * correction.q);
+        set_corrected_stress(view, i, sigma, correction.L, correction.q, sums.G0, sums.W0);
         view.template at<FellBack>()[i] = correction.fell_back;
     }
 };
 
-/// The interior of cph: the plain gradient in the form of the corrected one, L = I and q = 0.
+/// The interior of cph near its exterior: the plain gradient, L = I and q = 0, in the form of the corrected one, too.
 template <int D>
-struct InteriorClose {
+struct NearClose {
     View<D> view;
     Newtonian liquid;
 
     template <class Sums>
     CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
         PlainClose<D>{view, liquid}(i, sums);
-        auto const sigma = view.template get<Stress>(i);
-        view.template set<CorrectedStress>(i, product<double, D>(sigma, identity<double, D>()));
-        view.template set<StressOffset>(i, {});
-        view.template at<FellBack>()[i] = 0;
+        set_corrected_stress(view, i, view.template get<Stress>(i), identity<double, D>(), {}, sums.G0, sums.W0);
+    }
+};
+
+/// How the force sweep ends: stress forces in the corrected form lack what i adds itself.
+template <int D>
+struct PlainForceClose {
+    View<D> view;
+    Vector<double, D> gravity;
+
+    template <class Sums>
+    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
+        view.template set<Acceleration>(i, sums.dv + gravity);
+    }
+};
+template <int D>
+struct CorrectedForceClose {
+    View<D> view;
+    Vector<double, D> gravity;
+
+    template <class Sums>
+    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
+        view.template set<Acceleration>(i, sums.dv + view.template get<OwnAcceleration>(i) + gravity);
     }
 };
 

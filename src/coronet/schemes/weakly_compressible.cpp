@@ -29,7 +29,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     if (!one_sweep()) particles_.allocate(Fields<Stress>{});
-    if (settings_.gradient != Gradient::sph) particles_.allocate(Fields<CorrectedStress, StressOffset, FellBack>{});
+    if (settings_.gradient != Gradient::sph) particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
     update_state();
 }
@@ -110,18 +110,50 @@ template <int D>
 void WeaklyCompressible<D>::update_neighbours() {
     if (!neighbours_.update(particles_)) return;
     ++counters_.listings;
-    if (settings_.gradient == Gradient::cph) mark_exterior();
+    if (settings_.gradient == Gradient::cph) mark_zones();
 }
 
-/// The mark holds until the next listing: meanwhile no pair comes nearer or parts by more than the skin.
+/// The zones of the coupled method (Fang et al. 2009, section 3.5.3), by distance from the initial free surface. A
+/// particle is exterior if one of the surface lies in its support: there the gradient is corrected. Forces need it in
+/// the corrected form wherever an exterior particle may come into the support (`border`), and of all that may come into
+/// the supports of those (`near`); in the `deep` everything is plain. The zones hold until the next listing: meanwhile
+/// no pair comes nearer or parts by more than the skin, and whoever may come near is in the row.
 template <int D>
-void WeaklyCompressible<D>::mark_exterior() {
+void WeaklyCompressible<D>::mark_zones() {
+    enum Zone : char { deep, near, border, exterior };
+    std::size_t const n = particles_.owned();
+    auto const view = particles_.view();
     auto const surface = particles_.template get<Surface>();
-    auto const exterior = particles_.template get<Exterior>();
-    sweep_parts(Part{neighbours_.all(), Sum{ExteriorMark{}},
-                     [&](std::size_t i, auto const& sums) { exterior[i] = sums.exterior + surface[i] > 0; }});
-    exterior_ = neighbours_.targets([&](std::size_t i) { return exterior[i] > 0; });
-    interior_ = neighbours_.targets([&](std::size_t i) { return !(exterior[i] > 0); });
+    std::vector<Zone> zone(n, deep);
+    // The few that are not deep mark their neighbours: one after another, since two may mark the same.
+    auto const mark = [&](Zone as, auto const& from, auto const& reaches) {
+        for (std::size_t i = 0; i < n; ++i)
+            if (from(i))
+                for (Index const j : neighbours_.row(i)) {
+                    auto const k = static_cast<std::size_t>(j);
+                    if (zone[k] < as && reaches(i, k)) zone[k] = as;
+                }
+    };
+    double const H2 = neighbours_.support() * neighbours_.support();
+    auto const inside = [&](std::size_t i, std::size_t j) {
+        return norm2(view.template get<Position>(i) - view.template get<Position>(j)) < H2;
+    };
+    auto const always = [](std::size_t, std::size_t) { return true; };
+    for (std::size_t i = 0; i < n; ++i)
+        if (surface[i] > 0) zone[i] = exterior;
+    mark(exterior, [&](std::size_t i) { return surface[i] > 0; }, inside);
+    mark(border, [&](std::size_t i) { return zone[i] == exterior; }, always);
+    mark(near, [&](std::size_t i) { return zone[i] >= border; }, always);
+
+    for (std::size_t i = 0; i < n; ++i) {
+        view.template at<Exterior>()[i] = zone[i] == exterior;
+        view.template at<FellBack>()[i] = 0;  // set where gradients are corrected
+    }
+    exterior_ = neighbours_.targets([&](std::size_t i) { return zone[i] == exterior; });
+    near_ = neighbours_.targets([&](std::size_t i) { return zone[i] == near || zone[i] == border; });
+    deep_ = neighbours_.targets([&](std::size_t i) { return zone[i] == deep; });
+    corrected_ = neighbours_.targets([&](std::size_t i) { return zone[i] >= border; });
+    plain_ = neighbours_.targets([&](std::size_t i) { return zone[i] < border; });
 }
 
 template <int D>
@@ -146,7 +178,8 @@ void WeaklyCompressible<D>::gradients_and_stress() {
             return;
         case Gradient::fpm: sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected}); break;
         case Gradient::cph:
-            sweep_parts(Part{interior_, PlainGradients{}, InteriorClose<D>{view, settings_.liquid}},
+            sweep_parts(Part{deep_, PlainGradients{}, PlainClose<D>{view, settings_.liquid}},
+                        Part{near_, CorrectedGradients{}, NearClose<D>{view, settings_.liquid}},
                         Part{exterior_, CorrectedGradients{}, corrected});
             break;
     }
@@ -159,18 +192,19 @@ template <int D>
 void WeaklyCompressible<D>::forces() {
     auto const view = particles_.view();
     auto const g = settings_.gravity;
-    auto const forces_of = [&](auto const& law) {
-        sweep_parts(Part{neighbours_.all(), law,
-                         [=](std::size_t i, auto const& sums) { view.template set<Acceleration>(i, sums.dv + g); }});
+    PlainForceClose<D> const plain_close{view, g};
+    CorrectedForceClose<D> const corrected_close{view, g};
+    auto const forces_of = [&](auto const& plain, auto const& corrected) {
+        switch (settings_.gradient) {
+            case Gradient::sph: return sweep_parts(Part{neighbours_.all(), plain, plain_close});
+            case Gradient::fpm: return sweep_parts(Part{neighbours_.all(), corrected, corrected_close});
+            case Gradient::cph:
+                return sweep_parts(Part{plain_, plain, plain_close}, Part{corrected_, corrected, corrected_close});
+        }
     };
-    bool const plain = settings_.gradient == Gradient::sph;
-    if (any_active(settings_.pair_terms)) {
-        if (plain) forces_of(PlainForcesAndPairTerms{{}, settings_.pair_terms});
-        else forces_of(CorrectedForcesAndPairTerms{{}, settings_.pair_terms});
-    } else {
-        if (plain) forces_of(PlainForces{});
-        else forces_of(CorrectedForces{});
-    }
+    auto const& terms = settings_.pair_terms;
+    if (any_active(terms)) forces_of(PlainForcesAndPairTerms{{}, terms}, CorrectedForcesAndPairTerms{{}, terms});
+    else forces_of(PlainForces{}, CorrectedForces{});
 }
 
 /// Whether no stress is needed: plain gradients, and no viscosity or one that acts between velocities.

@@ -45,17 +45,6 @@ private:
     thrust::device_vector<double> array_[field_count];
 };
 
-template <int D>
-struct StoreAcceleration {
-    View<D> view;
-    Vector<double, D> gravity;
-
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        view.template set<Acceleration>(i, sums.dv + gravity);
-    }
-};
-
 }  // namespace
 
 template <int D>
@@ -78,14 +67,14 @@ void rates_on_device(typename WeaklyCompressible<D>::Settings const& settings, P
     DeviceFields<D> const fields(particles);
     auto const& view = fields.view();
     auto const& kernel = settings.kernel;
-    StoreAcceleration<D> const store{view, settings.gravity};
     if (settings.gradient == Gradient::sph) {
         sweep_on_device(view, rows, n, kernel, PlainGradients{}, PlainClose<D>{view, settings.liquid});
-        sweep_on_device(view, rows, n, kernel, PlainForces{}, store);
+        sweep_on_device(view, rows, n, kernel, PlainForces{}, PlainForceClose<D>{view, settings.gravity});
     } else {
         sweep_on_device(view, rows, n, kernel, CorrectedGradients{},
                         CorrectedClose<D>{view, settings.liquid, kernel.at_zero()});
-        sweep_on_device(view, rows, n, kernel, CorrectedForces{}, store);
+        sweep_on_device(view, rows, n, kernel, CorrectedForces{},
+                        CorrectedForceClose<D>{view, settings.gravity});
     }
     fields.template bring_back<DensityRate>();
     fields.template bring_back<Acceleration>();

@@ -75,7 +75,7 @@ private:
         sweep(particles_, neighbours_, settings_.kernel, settings_.precision, parts...);
     }
     void update_neighbours();
-    void mark_exterior();
+    void mark_zones();
     void update_state();
     void gradients_and_stress();
     void forces();
@@ -86,7 +86,7 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
-    Targets interior_, exterior_;
+    Targets exterior_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
     Counters counters_;
     Phases phases_;
 };

@@ -33,16 +33,17 @@ struct GradientCorrection {
 
     CORONET_HD GradientCorrection(double W0, Vector<double, D> const& W1, Vector<double, D> const& G0,
                                   Symmetric<double, D> const& G1) {
+        Vector<double, D> const G0_over_W0 = (1 / W0) * G0;
         Matrix<double, D> S;
-        for (int a = 0; a < D; ++a)
-            for (int b = 0; b < D; ++b) S(a, b) = G1(a, b) - G0[a] * W1[b] / W0;
+        unrolled<D * D>([&](int ab) { S[ab] = G1(ab / D, ab % D) - G0_over_W0[ab / D] * W1[ab % D]; });
         auto const cofactors = adjugate(S);
         double const det = determinant(S);
         // |adj S| = |det S| |L|: no division before it is known to be safe. A NaN falls back, too.
-        fell_back = !(norm(cofactors) < largest_amplification<D> * square_root(double{D}) * std::fabs(det));
+        constexpr double limit = largest_amplification<D>;
+        fell_back = !(norm2(cofactors) < limit * limit * D * det * det);
         if (fell_back) return;
         L = (1 / det) * cofactors;
-        q = L * ((1 / W0) * G0);
+        q = L * G0_over_W0;
     }
 
     /// Gradient of a vector field from sum V (v_j - v_i) grad W and sum V (v_j - v_i) W: grad_v(a, b) = dv_a/dx_b.

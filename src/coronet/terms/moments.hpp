@@ -15,11 +15,9 @@ struct Moments {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        auto const V = ij.j.V;
-        Symmetric<typename P::Number, P::dimension> slope_moment;  // grad W is along x: the matrix is symmetric
-        for (int a = 0; a < P::dimension; ++a)
-            for (int b = a; b < P::dimension; ++b) slope_moment(a, b) = -V * ij.gradW[a] * ij.x[b];
-        return give<gives>(ij, V * ij.W, -(V * ij.W) * ij.x, V * ij.gradW, slope_moment);
+        auto const VW = ij.j.V * ij.W;
+        auto const VgradW = (ij.j.V * ij.F) * ij.x;
+        return give<gives>(ij, VW, -VW * ij.x, VgradW, -outer_of_parallels(VgradW, ij.x));
     }
 };
 

@@ -16,7 +16,7 @@ struct VelocitySlopes {
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, outer(ij.j.V * (ij.j.v - ij.i.v), ij.gradW));
+        return give<gives>(ij, outer(ij.j.v - ij.i.v, (ij.j.V * ij.F) * ij.x));
     }
 };
 
