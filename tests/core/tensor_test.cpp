@@ -184,7 +184,7 @@ TEST(Tensor, MakesDyadsOfVectors) {
             length2 += a[k] * a[k];
             for (int l = 0; l < D; ++l) {
                 EXPECT_EQ(outer(a, b)(k, l), a[k] * b[l]);
-                EXPECT_EQ(square(a)(k, l), a[k] * a[l]);
+                EXPECT_EQ(outer_of_parallels(a, a)(k, l), a[k] * a[l]);
             }
         }
         EXPECT_EQ(dot(a, b), scalar);

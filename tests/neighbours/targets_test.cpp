@@ -18,7 +18,7 @@ using namespace coronet::test;
 /// than asked.
 template <int D>
 void expect_blocks(Targets const& targets, Neighbours<D> const& neighbours, std::vector<std::size_t> const& wanted) {
-    std::size_t const block_of_pairs = 16384;
+    std::size_t const block_of_pairs = 4096;
     std::vector<std::size_t> covered;
     ASSERT_EQ(targets.begin.front(), 0u);
     for (std::size_t block = 0; block < targets.blocks(); ++block) {

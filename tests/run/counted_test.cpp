@@ -20,10 +20,20 @@ Counted varying(double value) { return Counted::quantity(value, true); }
 
 TEST(Counted, CountsEachOperation) {
     Counted const a = varying(3), b = varying(4);
-    for (auto const& [result, value, operations] : std::vector<std::tuple<Counted, double, int>>{
-             {a, 3, 0}, {a + b, 7, 1}, {a - b, -1, 1}, {a * b, 12, 1}, {a / b, 0.75, 1}, {-a, -3, 0}, {a - -b, 7, 1},
-             {largest(a, b), 4, 1}, {smallest(a, b), 3, 1}, {square_root(b), 2, 1}, {inverse_root(b), 0.5, 1},
-             {select(a < b, a, b), 3, 2}, {2 + a * (2 + a * (2 + a * 2)), 80, 6}}) {
+    for (auto const& [result, value, operations] :
+         std::vector<std::tuple<Counted, double, int>>{{a, 3, 0},
+                                                       {a + b, 7, 1},
+                                                       {a - b, -1, 1},
+                                                       {a * b, 12, 1},
+                                                       {a / b, 0.75, 1},
+                                                       {-a, -3, 0},
+                                                       {a - -b, 7, 1},
+                                                       {largest(a, b), 4, 1},
+                                                       {smallest(a, b), 3, 1},
+                                                       {square_root(b), 2, 1},
+                                                       {inverse_root(b), 0.5, 1},
+                                                       {select(a < b, a, b), 3, 2},
+                                                       {2 + a * (2 + a * (2 + a * 2)), 80, 6}}) {
         EXPECT_EQ(result.value, value);
         EXPECT_EQ(operations_for(result), operations) << value;
     }
@@ -53,10 +63,10 @@ TEST(Counted, SumsOfTensorsCountTheirComponents) {
     EXPECT_EQ(operations_for(dot(a, b)), 5);
 }
 
-/// x_i - x_j D, its square 2 D - 1; the kernel's slope over r: bound of r^2, inverse root, s (two), slope over r, 5, and
-/// per knot the difference and its bound 2, its square 1, a multiply-add of the even powers 2, times the square 1, and
-/// the sum 1 (with one knot, two multiply-adds of the odd powers 4 instead of half of that sum: W is not needed); of the
-/// pressure gradient p_i + p_j, times 1/rho_i, V_j F, times that: 4; times x_ij and into the sum 2 D.
+/// x_i - x_j D, its square 2 D - 1; the kernel's slope over r: bound of r^2, inverse root, s (two), slope over r, 5,
+/// and per knot the difference and its bound 2, its square 1, a multiply-add of the even powers 2, times the square 1,
+/// and the sum 1 (with one knot, two multiply-adds of the odd powers 4 instead of half of that sum: W is not needed);
+/// of the pressure gradient p_i + p_j, times 1/rho_i, V_j F, times that: 4; times x_ij and into the sum 2 D.
 TEST(OperationsPerPair, OfThePressureGradientAreThoseOnPaper) {
     Sum<PressureGradient> const law;
     for (auto const& [name, knots] : {std::pair{"wendland-c2", 1}, {"cubic-spline", 2}, {"quintic-spline", 3}}) {

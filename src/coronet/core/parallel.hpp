@@ -33,7 +33,7 @@ void for_blocks(std::size_t blocks, Work const& work) {
     if (failure) std::rethrow_exception(failure);
 }
 
-inline constexpr std::size_t items_per_block = 2048;
+inline constexpr std::size_t items_per_block = 512;
 
 /// Calls work(first, last) for consecutive ranges that cover [0, items).
 template <class Work>

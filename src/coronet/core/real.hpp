@@ -20,6 +20,9 @@ namespace coronet {
 
 using Index = std::int32_t;
 
+/// The numbers of a sweep over pairs: doubles throughout, or pairs in float and what is kept of them in double.
+enum class Precision { full, mixed };
+
 CORONET_HD inline double select(bool mask, double a, double b) { return mask ? a : b; }
 CORONET_HD inline double largest(double a, double b) { return a > b ? a : b; }
 CORONET_HD inline double smallest(double a, double b) { return a < b ? a : b; }

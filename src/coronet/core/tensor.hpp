@@ -49,7 +49,8 @@ struct Matrix {
 /// that each of them can live in a register.
 template <int n, class Act>
 CORONET_HD constexpr void unrolled(Act const& act) {
-    [&]<int... k>(std::integer_sequence<int, k...>) { (act(k), ...); }(std::make_integer_sequence<int, n>{});
+    [&]<int... k>(std::integer_sequence<int, k...>) { (act(k), ...); }
+    (std::make_integer_sequence<int, n>{});
 }
 
 template <class T>

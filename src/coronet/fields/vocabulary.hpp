@@ -15,36 +15,36 @@ namespace coronet {
 enum class Rank { scalar, vector, symmetric, matrix };
 
 // X(name, symbol, rank, unit, meaning). V marks what is a sum over neighbours weighted with their volumes.
-#define CORONET_FIELDS(X)                                                                                  \
-    X(Position, x, vector, "m", "position")                                                                \
-    X(Velocity, v, vector, "m/s", "velocity")                                                              \
-    X(Density, rho, scalar, "kg/m^3", "mass density")                                                      \
-    X(Mass, m, scalar, "kg", "mass (per metre of depth in 2D)")                                            \
-    X(Volume, V, scalar, "m^3", "volume m/rho (an area in 2D)")                                            \
-    X(SoundSpeed, c, scalar, "m/s", "sound speed")                                                         \
-    X(Pressure, p, scalar, "Pa", "pressure")                                                               \
-    X(Surface, surface, scalar, "-", "1 for a particle of the initial free surface, else 0")               \
-    X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support") \
-    X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                     \
-    X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                  \
-    X(Stress, sigma, symmetric, "Pa", "total stress -p I + tau")                                           \
+#define CORONET_FIELDS(X)                                                                                    \
+    X(Position, x, vector, "m", "position")                                                                  \
+    X(Velocity, v, vector, "m/s", "velocity")                                                                \
+    X(Density, rho, scalar, "kg/m^3", "mass density")                                                        \
+    X(Mass, m, scalar, "kg", "mass (per metre of depth in 2D)")                                              \
+    X(Volume, V, scalar, "m^3", "volume m/rho (an area in 2D)")                                              \
+    X(SoundSpeed, c, scalar, "m/s", "sound speed")                                                           \
+    X(Pressure, p, scalar, "Pa", "pressure")                                                                 \
+    X(Surface, surface, scalar, "-", "1 for a particle of the initial free surface, else 0")                 \
+    X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support")   \
+    X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                       \
+    X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                    \
+    X(Stress, sigma, symmetric, "Pa", "total stress -p I + tau")                                             \
     X(CorrectedStress, VT, matrix, "Pa m^3", "volume times stress times the gradient correction, V sigma L") \
-    X(StressOffset, Vs, vector, "Pa m^2", "volume times stress times the value correction, V sigma q")     \
-    X(OwnAcceleration, own_dv, vector, "m/s^2", "the part of a particle's own stress in its acceleration")  \
-    X(FellBack, fell_back, scalar, "-", "1 where a singular matrix left the plain gradient, else 0")       \
-    X(PositionBefore, x0, vector, "m", "position at the start of the step")                                \
-    X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                              \
-    X(DensityBefore, rho0, scalar, "kg/m^3", "density at the start of the step")                           \
-    X(PositionListed, x_listed, vector, "m", "position when the neighbours were listed")                   \
-    X(KernelSum, W0, scalar, "-", "sum V W")                                                               \
-    X(KernelMoment, W1, vector, "m", "sum V (x_j - x_i) W")                                                \
-    X(SlopeSum, G0, vector, "1/m", "sum V grad W")                                                         \
-    X(SlopeMoment, G1, symmetric, "-", "sum V grad W (x_j - x_i)")                                         \
-    X(VelocityJump, v_jump, vector, "m/s", "sum V (v_j - v_i) W")                                          \
-    X(VelocitySlope, v_slope, matrix, "1/s", "sum V (v_j - v_i) grad W: the plain SPH velocity gradient")  \
-    X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                               \
-    X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                           \
-    X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                              \
+    X(StressOffset, Vs, vector, "Pa m^2", "volume times stress times the value correction, V sigma q")       \
+    X(OwnAcceleration, own_dv, vector, "m/s^2", "the part of a particle's own stress in its acceleration")   \
+    X(FellBack, fell_back, scalar, "-", "1 where a singular matrix left the plain gradient, else 0")         \
+    X(PositionBefore, x0, vector, "m", "position at the start of the step")                                  \
+    X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                                \
+    X(DensityBefore, rho0, scalar, "kg/m^3", "density at the start of the step")                             \
+    X(PositionListed, x_listed, vector, "m", "position when the neighbours were listed")                     \
+    X(KernelSum, W0, scalar, "-", "sum V W")                                                                 \
+    X(KernelMoment, W1, vector, "m", "sum V (x_j - x_i) W")                                                  \
+    X(SlopeSum, G0, vector, "1/m", "sum V grad W")                                                           \
+    X(SlopeMoment, G1, symmetric, "-", "sum V grad W (x_j - x_i)")                                           \
+    X(VelocityJump, v_jump, vector, "m/s", "sum V (v_j - v_i) W")                                            \
+    X(VelocitySlope, v_slope, matrix, "1/s", "sum V (v_j - v_i) grad W: the plain SPH velocity gradient")    \
+    X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                 \
+    X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
+    X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \
     X(SampleSlope, f_slope, vector, "1/m", "sum V (f_j - f_i) grad W: the plain SPH gradient")
 
 template <Rank rank, class R, int D>

@@ -42,6 +42,21 @@ public:
             }
     }
 
+    /// Cells taken two by two along each axis, as they lay at the last sort().
+    std::array<int, 3> pairs_of_cells() const {
+        return {(cells_[0] + 1) / 2, (cells_[1] + 1) / 2, (cells_[2] + 1) / 2};
+    }
+    /// The particles of such a block of cells, a row at a time.
+    template <class Visit>
+    void for_rows_of_block(std::array<int, 3> const& block, Visit const& visit) const {
+        int const first = 2 * block[0], last = std::min(first + 2, cells_[0]);
+        for (int c2 = 2 * block[2]; c2 < std::min(2 * block[2] + 2, cells_[2]); ++c2)
+            for (int c1 = 2 * block[1]; c1 < std::min(2 * block[1] + 2, cells_[1]); ++c1) {
+                std::size_t const row = (static_cast<std::size_t>(c2) * cells_[1] + c1) * cells_[0];
+                visit(Range{begin_[row + first], begin_[row + last]});
+            }
+    }
+
     /// The lower corner [m].
     Vector<double, D> const& low() const { return low_; }
     /// The width of a cell [m].

@@ -13,7 +13,8 @@ namespace coronet {
 namespace {
 
 constexpr std::size_t particles_per_chunk = 256;
-constexpr std::size_t pairs_per_block = 16384;
+// A block is long enough that handing it to a thread costs nothing, and short enough that many fill all threads evenly.
+constexpr std::size_t pairs_per_block = 4096;
 
 // Of the support: a skin narrower than that gains nothing, and one that is wider is not worth its memory.
 constexpr double narrowest_skin = 0.005, widest_skin = 0.3;
@@ -58,25 +59,80 @@ bool Neighbours<D>::update(Particles<D>& particles) {
 }
 
 template <int D>
+auto Neighbours<D>::none() -> Displacements {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Displacements nothing;
+    unrolled<D>([&](int k) { nothing.least[k] = infinity, nothing.most[k] = -infinity; });
+    return nothing;
+}
+
+template <int D>
+void Neighbours<D>::Displacements::add(Displacements const& others) {
+    unrolled<D>([&](int k) {
+        least[k] = std::min(least[k], others.least[k]);
+        most[k] = std::max(most[k], others.most[k]);
+    });
+}
+
+template <int D>
+double Neighbours<D>::Displacements::spread() const {
+    return least[0] <= most[0] ? std::sqrt(norm2(most - least)) : 0;
+}
+
+template <int D>
 bool Neighbours<D>::still_valid(Particles<D> const& particles) {
     if (count_.size() != particles.size() || listings_ == 0) return false;
-    std::size_t const n = particles.size();
     auto const view = particles.view();
-    auto const moved = [&](std::size_t i) {
-        return view.template get<Position>(i) - view.template get<PositionListed>(i);
+    auto const blocks = grid_.pairs_of_cells();
+    auto const place_of = [&](std::size_t b) {
+        auto const along = static_cast<std::size_t>(blocks[0]), across = static_cast<std::size_t>(blocks[1]);
+        return std::array<int, 3>{static_cast<int>(b % along), static_cast<int>(b / along % across),
+                                  static_cast<int>(b / along / across)};
     };
-    auto const mean = (1.0 / static_cast<double>(n)) * sum_over(n, Vector<double, D>{}, moved);
-    double const farthest2 = max_over(n, 0.0, [&](std::size_t i) {
-        double const d2 = norm2(moved(i) - mean);
-        return d2 == d2 ? d2 : std::numeric_limits<double>::infinity();
+    std::size_t const count = static_cast<std::size_t>(blocks[0]) * blocks[1] * blocks[2];
+    displaced_.resize(count);
+    constexpr std::size_t at_once = 16;
+    auto const for_all = [&](auto const& act) {
+        for_blocks((count + at_once - 1) / at_once, [&](std::size_t some) {
+            for (std::size_t b = some * at_once; b < std::min(count, (some + 1) * at_once); ++b) act(b, some);
+        });
+    };
+
+    for_all([&](std::size_t b, std::size_t) {
+        Displacements here = none();
+        grid_.for_rows_of_block(place_of(b), [&](Range range) {
+            for (auto i = static_cast<std::size_t>(range.first); i < static_cast<std::size_t>(range.last); ++i) {
+                auto const moved = view.template get<Position>(i) - view.template get<PositionListed>(i);
+                here.add({moved, moved});
+                // A position that is no number any more must not go unseen: listing anew will say so.
+                if (!(norm2(moved) < std::numeric_limits<double>::infinity()))
+                    here.most[0] = INFINITY, here.least[0] = 0;
+            }
+        });
+        displaced_[b] = here;
     });
-    farthest_ = std::sqrt(farthest2);
-    return 2 * farthest_ < skin_;
+
+    std::vector<double> widest((count + at_once - 1) / at_once, 0.0);
+    std::vector<Displacements> all(widest.size(), none());
+    for_all([&](std::size_t b, std::size_t some) {
+        auto const at = place_of(b);
+        Displacements around = none();
+        for (int c2 = std::max(at[2] - 1, 0); c2 <= std::min(at[2] + 1, blocks[2] - 1); ++c2)
+            for (int c1 = std::max(at[1] - 1, 0); c1 <= std::min(at[1] + 1, blocks[1] - 1); ++c1)
+                for (int c0 = std::max(at[0] - 1, 0); c0 <= std::min(at[0] + 1, blocks[0] - 1); ++c0)
+                    around.add(displaced_[(static_cast<std::size_t>(c2) * blocks[1] + c1) * blocks[0] + c0]);
+        widest[some] = std::max(widest[some], around.spread());
+        all[some].add(displaced_[b]);
+    });
+    spread_ = *std::max_element(widest.begin(), widest.end());
+    Displacements whole = none();
+    for (Displacements const& part : all) whole.add(part);
+    return spread_ < skin_ && whole.spread() < support_ + 2 * skin_;
 }
 
 template <int D>
 void Neighbours<D>::tune() {
-    double const Lw = listing_cost_ * 2 * farthest_ / static_cast<double>(updates_);
+    double const Lw = listing_cost_ * spread_ / static_cast<double>(updates_);
     double const b = (D - 1) * Lw;
     double const best = (std::sqrt(b * b + 4 * D * Lw * support_) - b) / (2 * D);
     if (best == best) skin_ = std::clamp(best, narrowest_skin * support_, widest_skin * support_);

@@ -3,11 +3,12 @@
 
 // Neighbour lists kept over several steps: each particle's row names all others within support + skin. Until two
 // particles can have come skin closer, a row still holds everything inside the support; then the rows are listed anew
-// and the particles re-ordered along the cell grid. A common translation of all particles does not count as coming
-// closer.
+// and the particles re-ordered along the cell grid. What counts is how much the displacements differ among particles
+// that can meet: in a block of 2^D cells and those around it. Particles of other blocks were two cells or more apart,
+// and may come closer by more than a support. So neither a common translation nor a smooth flow ages the lists much.
 //
 // A wide skin makes rows longer than need be, a narrow one has them listed often. With the skin s, a sweep costs as
-// (1 + s/H)^D, and at a relative speed w (in m per update) lists last s/w updates; so
+// (1 + s/H)^D, and if displacements come to differ by w an update (in m), lists last s/w updates; so
 //     cost(s) = (1 + s/H)^D (1 + L w/s),
 // with L the cost of a listing over that of an evaluation, is least where D s^2 + (D - 1) L w s = L w H. A skin that is
 // tuned follows this at every listing, with the w that it saw since the last; it depends on the motion alone, not on a
@@ -76,6 +77,14 @@ public:
     std::size_t listings() const { return listings_; }
 
 private:
+    /// The displacements that some particles have had since the last listing.
+    struct Displacements {
+        Vector<double, D> least, most;
+        void add(Displacements const& others);
+        double spread() const;  ///< an upper bound of how much any two differ [m]
+    };
+    static Displacements none();
+
     bool still_valid(Particles<D> const& particles);
     void tune();
     void list(Particles<D>& particles);
@@ -88,7 +97,8 @@ private:
     std::vector<Index> count_;
     Targets all_;
     std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing
-    double farthest_ = 0;                     // motion since then, relative to the mean
+    double spread_ = 0;                       // of displacements since then, among particles that can meet [m]
+    std::vector<Displacements> displaced_;    // of each block of cells
 };
 
 }  // namespace coronet

@@ -26,9 +26,9 @@ struct Records<D, T, Fields<F...>> {
     static constexpr int used = D + (0 + ... + components<F::rank, D>());
     static constexpr std::size_t width = static_cast<std::size_t>((used + 3) / 4 * 4);
 
-    T* first;            ///< the first group of particle 0, aligned to 64 bytes
-    std::size_t stride;  ///< numbers from one group to the next of the same particle
-    Coordinate<T> coordinate;
+    T* first = nullptr;      ///< the first group of particle 0, aligned to 64 bytes
+    std::size_t stride = 0;  ///< numbers from one group to the next of the same particle
+    Coordinate<T> coordinate{1};
 
     /// Copies particles [begin, end) into their records.
     void fill(View<D> const& view, std::size_t begin, std::size_t end) const {
@@ -58,9 +58,7 @@ struct Records<D, T, Fields<F...>> {
     template <class... G>
     void fetch(Index const* place, Vector<Pack<T>, D>& x, Values<Pack<T>, D, Fields<G...>>& values) const {
         Pack<T> number[width];
-        [&]<std::size_t... group>(std::index_sequence<group...>) {
-            (fetch_group<group, G...>(place, number), ...);
-        }
+        [&]<std::size_t... group>(std::index_sequence<group...>) { (fetch_group<group, G...>(place, number), ...); }
         (std::make_index_sequence<width / 4>{});
         unrolled<D>([&](int k) { x[k] = number[k]; });
         take_from([&](int k) { return number[k]; }, values, Fields<G...>{});
@@ -106,7 +104,8 @@ private:
         // One number of a last group, or two floats, are gathered faster than the group is transposed.
         constexpr int left = used - static_cast<int>(at);
         if constexpr (left <= (sizeof(T) == 4 ? 2 : 1) && holds_any<G...>(at)) {
-            for (int k = static_cast<int>(at); k < used; ++k) number[slot(k)] = fetch_one(&first[group * stride + slot(k) % 4], place);
+            for (int k = static_cast<int>(at); k < used; ++k)
+                number[slot(k)] = fetch_one(&first[group * stride + slot(k) % 4], place);
         } else if constexpr (holds_any<G...>(at)) fetch_four(first + group * stride, place, number + at);
     }
 

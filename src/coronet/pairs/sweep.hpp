@@ -10,6 +10,9 @@
 // happens there, in registers. A close may write any field of particle i: the law reads of j what was copied before.
 
 #include <algorithm>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "coronet/core/parallel.hpp"
 #include "coronet/core/simd.hpp"
@@ -20,9 +23,6 @@
 #include "coronet/pairs/records.hpp"
 
 namespace coronet {
-
-/// The numbers of a sweep: doubles throughout, or pairs in float and what is kept of them in double.
-enum class Precision { full, mixed };
 
 /// What one sweep does to some of the particles.
 template <class Law, class Close>
@@ -106,32 +106,66 @@ template <int D, class T, int knots, class List, class Law>
     return RowSums<D, typename Law::gives>(total);
 }
 
+/// Which of the types L is the first that is the same as number k.
+template <class... L>
+constexpr std::size_t first_like(std::size_t k) {
+    constexpr std::size_t count = sizeof...(L);
+    std::size_t first[count] = {};
+    std::size_t next = 0;
+    [[maybe_unused]] auto const look = [&]<class This>(This) {
+        std::size_t at = 0;
+        bool found = false;
+        ((found = found || std::is_same_v<This, L>, at += !found), ...);
+        first[next++] = at;
+    };
+    (look(L{}), ...);
+    return first[k];
+}
+
 template <int D, class T, int knots, class... Parts>
 void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
                  Parts const&... parts) {
-    using List = Unite<typename decltype(Parts::law)::reads...>;
     auto const view = particles.view();
     std::size_t const n = particles.size();
-    Records<D, T, List> const records{particles.template scratch<T>(n * Records<D, T, List>::width), 4 * n,
-                                      Coordinate<T>(kernel.support * 0x1p-24)};
-    for_ranges(n, [&](std::size_t first, std::size_t last) { records.fill(view, first, last); });
-    auto const run = [&](auto const& part, std::size_t block) __attribute__((flatten)) {
+    // Records for each list of fields; parts that read the same share them.
+    auto const records = [&]<std::size_t... k>(std::index_sequence<k...>) {
+        std::tuple<Records<D, T, typename decltype(Parts::law)::reads>...> all;
+        constexpr std::size_t first[] = {first_like<typename decltype(Parts::law)::reads...>(k)...};
+        T* next = particles.template scratch<T>(
+            (0 + ... + (first[k] == k ? std::tuple_element_t<k, decltype(all)>::width * n : 0)));
+        auto const make = [&]<std::size_t m>(std::integral_constant<std::size_t, m>) {
+            auto& own = std::get<m>(all);
+            if constexpr (first[m] < m) {
+                own = std::get<first[m]>(all);
+            } else {
+                own = {next, 4 * n, Coordinate<T>(kernel.support * 0x1p-24)};
+                next += n * own.width;
+            }
+        };
+        (make(std::integral_constant<std::size_t, k>{}), ...);
+        for_ranges(n, [&](std::size_t begin, std::size_t end) {
+            ((first[k] == k ? std::get<k>(all).fill(view, begin, end) : void()), ...);
+        });
+        return all;
+    }
+    (std::index_sequence_for<Parts...>{});
+    auto const run = [&](auto const& part, auto const& own, std::size_t block) __attribute__((flatten)) {
         for (std::size_t k = part.targets.begin[block]; k < part.targets.begin[block + 1]; ++k) {
             std::size_t const i = part.targets[k];
-            auto const sums = sweep_row<D, T, knots>(view, records, neighbours.places(i), i, kernel, part.law);
+            auto const sums = sweep_row<D, T, knots>(view, own, neighbours.places(i), i, kernel, part.law);
             part.close(i, sums.values());
         }
     };
     for_blocks((parts.targets.blocks() + ...), [&](std::size_t block) {
         // Block b of the first part that has so many, else block b - blocks of the next.
         bool done = false;
-        auto const in = [&](auto const& part) {
+        auto const in = [&](auto const& part, auto const& own) {
             if (done) return;
             done = block < part.targets.blocks();
-            if (done) run(part, block);
+            if (done) run(part, own, block);
             else block -= part.targets.blocks();
         };
-        (in(parts), ...);
+        std::apply([&](auto const&... own) { (in(parts, own), ...); }, records);
     });
 }
 

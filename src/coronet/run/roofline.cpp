@@ -10,8 +10,8 @@
 
 #include <unistd.h>
 
-#include "coronet/core/parallel.hpp"
 #include "coronet/core/pack.hpp"
+#include "coronet/core/parallel.hpp"
 
 namespace coronet {
 

@@ -67,13 +67,12 @@ RunStatus run(Case const& c, RunOptions const& options) {
             progress.show(time, steps, last);
             if (last) break;
 
-            StepLimit const limit = scheme->time_limit();
-            double const wanted = c.time.step > 0 ? c.time.step : limit.step;
-            if (!(wanted > 1e-12 * c.time.end))
+            StepLimit const limit = c.time.step > 0 ? StepLimit{c.time.step, "time.step"} : scheme->time_limit();
+            if (!(limit.step > 1e-12 * c.time.end))
                 throw RunError(
-                    fmt::format("the stable time step fell to {:.3g} s because of {}", wanted, limit.reason));
+                    fmt::format("the stable time step fell to {:.3g} s because of {}", limit.step, limit.reason));
             double const due = std::min(rows.next(), frames.next());
-            dt = fit_step(wanted, due - time);
+            dt = fit_step(limit.step, due - time);
             scheme->advance(time, dt);
             time = dt == due - time ? due : time + dt;
             ++steps;

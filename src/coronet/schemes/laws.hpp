@@ -18,6 +18,7 @@
 namespace coronet {
 
 using PlainGradients = Sum<VelocitySlopes>;
+using PlainGradientsAndSums = Sum<KernelSums, VelocitySlopes>;
 using CorrectedGradients = Sum<Moments, VelocitySlopes, VelocityJumps>;
 using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;

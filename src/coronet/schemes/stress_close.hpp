@@ -24,18 +24,20 @@ struct PlainClose {
     }
 };
 
-/// The stress in the form that the corrected force sweep reads, V sigma L and V sigma q, and what particle i adds to its
-/// own acceleration. W0 and G0 are sums over the neighbours.
+/// The stress in the form that the corrected force sweep reads of neighbours: V sigma L and V sigma q.
 template <int D>
-CORONET_HD void set_corrected_stress(View<D> const& view, std::size_t i, Symmetric<double, D> const& sigma,
-                                     Matrix<double, D> const& L, Vector<double, D> const& q,
-                                     Vector<double, D> const& G0, double W0) {
-    double const V = view.template at<Volume>()[i], rho = view.template at<Density>()[i];
-    auto const T = product<double, D>(sigma, L);
-    auto const s = sigma * q;
+CORONET_HD void set_corrected_stress(View<D> const& view, std::size_t i, Matrix<double, D> const& T,
+                                     Vector<double, D> const& s) {
+    double const V = view.template at<Volume>()[i];
     view.template set<CorrectedStress>(i, V * T);
     view.template set<StressOffset>(i, V * s);
-    view.template set<OwnAcceleration>(i, CorrectedStressDivergence::own_part(T, s, rho, G0, W0));
+}
+/// What particle i adds to its own acceleration there, from its sums over the neighbours.
+template <int D, class Sums>
+CORONET_HD void set_own_acceleration(View<D> const& view, std::size_t i, Matrix<double, D> const& T,
+                                     Vector<double, D> const& s, Sums const& sums) {
+    double const rho = view.template at<Density>()[i];
+    view.template set<OwnAcceleration>(i, CorrectedStressDivergence::own_part(T, s, rho, sums.G0, sums.W0));
 }
 
 /// fpm, and the exterior of cph: the corrected gradient.
@@ -53,13 +55,17 @@ struct CorrectedClose {
         auto const sigma = liquid.stress(view.template at<Pressure>()[i], grad_v);
         view.template at<DensityRate>()[i] = -view.template at<Density>()[i] * trace(grad_v);
         view.template set<Stress>(i, sigma);
-        set_corrected_stress(view, i, sigma, correction.L, correction.q, sums.G0, sums.W0);
+        auto const T = product<double, D>(sigma, correction.L);
+        auto const s = sigma * correction.q;
+        set_corrected_stress(view, i, T, s);
+        set_own_acceleration(view, i, T, s, sums);
         view.template at<FellBack>()[i] = correction.fell_back;
     }
 };
 
-/// The interior of cph near its exterior: the plain gradient, L = I and q = 0, in the form of the corrected one, too.
-template <int D>
+/// The interior of cph near its exterior: the plain gradient, L = I and q = 0, in the form of the corrected one, too;
+/// `borders` says whether particle i will use that form itself, and its law has summed what that takes.
+template <int D, bool borders>
 struct NearClose {
     View<D> view;
     Newtonian liquid;
@@ -67,7 +73,9 @@ struct NearClose {
     template <class Sums>
     CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
         PlainClose<D>{view, liquid}(i, sums);
-        set_corrected_stress(view, i, view.template get<Stress>(i), identity<double, D>(), {}, sums.G0, sums.W0);
+        auto const T = product<double, D>(view.template get<Stress>(i), identity<double, D>());
+        set_corrected_stress(view, i, T, {});
+        if constexpr (borders) set_own_acceleration(view, i, T, {}, sums);
     }
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "coronet/core/error.hpp"
+#include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
 
@@ -14,9 +15,9 @@ namespace coronet {
 
 namespace {
 
-// Of a skin that is tuned: where it begins, as a share of the support, and the cost of a listing in sweeps
+// Of a skin that is tuned: where it begins, as a share of the support, and the cost of a listing in evaluations
 // (docs/performance.md).
-constexpr double first_skin = 0.05, listing_cost = 0.7;
+constexpr double first_skin = 0.03, listing_cost = 1;
 
 }  // namespace
 
@@ -25,13 +26,20 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     : settings_(settings),
       particles_(std::move(particles)),
       neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
-                  settings.skin > 0 ? 0 : listing_cost / (one_sweep() ? 1 : 2)) {
+                  settings.skin > 0 ? 0 : listing_cost) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     if (!one_sweep()) particles_.allocate(Fields<Stress>{});
-    if (settings_.gradient != Gradient::sph) particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
+    if (settings_.gradient != Gradient::sph)
+        particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
     update_state();
+}
+
+template <int D>
+template <class... Parts>
+void WeaklyCompressible<D>::sweep_parts(Parts const&... parts) {
+    sweep(particles_, neighbours_, settings_.kernel, settings_.precision, parts...);
 }
 
 template <int D>
@@ -141,16 +149,20 @@ void WeaklyCompressible<D>::mark_zones() {
     auto const always = [](std::size_t, std::size_t) { return true; };
     for (std::size_t i = 0; i < n; ++i)
         if (surface[i] > 0) zone[i] = exterior;
-    mark(exterior, [&](std::size_t i) { return surface[i] > 0; }, inside);
-    mark(border, [&](std::size_t i) { return zone[i] == exterior; }, always);
-    mark(near, [&](std::size_t i) { return zone[i] >= border; }, always);
+    mark(
+        exterior, [&](std::size_t i) { return surface[i] > 0; }, inside);
+    mark(
+        border, [&](std::size_t i) { return zone[i] == exterior; }, always);
+    mark(
+        near, [&](std::size_t i) { return zone[i] >= border; }, always);
 
     for (std::size_t i = 0; i < n; ++i) {
         view.template at<Exterior>()[i] = zone[i] == exterior;
         view.template at<FellBack>()[i] = 0;  // set where gradients are corrected
     }
     exterior_ = neighbours_.targets([&](std::size_t i) { return zone[i] == exterior; });
-    near_ = neighbours_.targets([&](std::size_t i) { return zone[i] == near || zone[i] == border; });
+    border_ = neighbours_.targets([&](std::size_t i) { return zone[i] == border; });
+    near_ = neighbours_.targets([&](std::size_t i) { return zone[i] == near; });
     deep_ = neighbours_.targets([&](std::size_t i) { return zone[i] == deep; });
     corrected_ = neighbours_.targets([&](std::size_t i) { return zone[i] >= border; });
     plain_ = neighbours_.targets([&](std::size_t i) { return zone[i] < border; });
@@ -178,9 +190,10 @@ void WeaklyCompressible<D>::gradients_and_stress() {
             return;
         case Gradient::fpm: sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected}); break;
         case Gradient::cph:
-            sweep_parts(Part{deep_, PlainGradients{}, PlainClose<D>{view, settings_.liquid}},
-                        Part{near_, CorrectedGradients{}, NearClose<D>{view, settings_.liquid}},
-                        Part{exterior_, CorrectedGradients{}, corrected});
+            sweep_parts(Part{exterior_, CorrectedGradients{}, corrected},
+                        Part{border_, PlainGradientsAndSums{}, NearClose<D, true>{view, settings_.liquid}},
+                        Part{near_, PlainGradients{}, NearClose<D, false>{view, settings_.liquid}},
+                        Part{deep_, PlainGradients{}, PlainClose<D>{view, settings_.liquid}});
             break;
     }
     counters_.singular_now = static_cast<std::int64_t>(
@@ -199,7 +212,7 @@ void WeaklyCompressible<D>::forces() {
             case Gradient::sph: return sweep_parts(Part{neighbours_.all(), plain, plain_close});
             case Gradient::fpm: return sweep_parts(Part{neighbours_.all(), corrected, corrected_close});
             case Gradient::cph:
-                return sweep_parts(Part{plain_, plain, plain_close}, Part{corrected_, corrected, corrected_close});
+                return sweep_parts(Part{corrected_, corrected, corrected_close}, Part{plain_, plain, plain_close});
         }
     };
     auto const& terms = settings_.pair_terms;
@@ -234,8 +247,17 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
     auto const view = particles_.view();
     std::size_t const n = particles_.owned();
     double const h = settings_.kernel.support / 3;
-    double const c = max_over(n, 0.0, [&](std::size_t i) { return view.template at<SoundSpeed>()[i]; });
-    double const a2 = max_over(n, 0.0, [&](std::size_t i) { return norm2(view.template get<Acceleration>(i)); });
+    struct Largest {
+        double c, a2;
+    };
+    auto const [c, a2] = fold(
+        n, Largest{0, 0},
+        [&](std::size_t i) {
+            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i))};
+        },
+        [](Largest const& a, Largest const& b) {
+            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2)};
+        });
     double const nu = settings_.liquid.viscosity / settings_.equation_of_state.rho0;
     constexpr double never = std::numeric_limits<double>::infinity();
 

@@ -73,8 +73,7 @@ void rates_on_device(typename WeaklyCompressible<D>::Settings const& settings, P
     } else {
         sweep_on_device(view, rows, n, kernel, CorrectedGradients{},
                         CorrectedClose<D>{view, settings.liquid, kernel.at_zero()});
-        sweep_on_device(view, rows, n, kernel, CorrectedForces{},
-                        CorrectedForceClose<D>{view, settings.gravity});
+        sweep_on_device(view, rows, n, kernel, CorrectedForces{}, CorrectedForceClose<D>{view, settings.gravity});
     }
     fields.template bring_back<DensityRate>();
     fields.template bring_back<Acceleration>();

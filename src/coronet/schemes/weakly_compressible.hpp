@@ -15,7 +15,6 @@
 #include "coronet/materials/equation_of_state.hpp"
 #include "coronet/materials/newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
-#include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
 
@@ -71,9 +70,7 @@ public:
 
 private:
     template <class... Parts>
-    void sweep_parts(Parts const&... parts) {
-        sweep(particles_, neighbours_, settings_.kernel, settings_.precision, parts...);
-    }
+    void sweep_parts(Parts const&... parts);
     void update_neighbours();
     void mark_zones();
     void update_state();
@@ -86,7 +83,7 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
-    Targets exterior_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
+    Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
     Counters counters_;
     Phases phases_;
 };

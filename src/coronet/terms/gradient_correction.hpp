@@ -18,8 +18,9 @@
 
 namespace coronet {
 
-/// 5 in 2D, 10 in 3D: a quarter more than at a right-angled corner. Colliding drops (tests/statements/collision_test.cpp)
-/// gain energy with 1.4 times as much and blow up with twice; a drop stretched to 2.3 times its length stays below.
+/// 5 in 2D, 10 in 3D: a quarter more than at a right-angled corner. Colliding drops
+/// (tests/statements/collision_test.cpp) gain energy with 1.4 times as much and blow up with twice; a drop stretched
+/// to 2.3 times its length stays below.
 template <int D>
 inline constexpr double largest_amplification = 1.25 * (1 << D);
 

@@ -8,17 +8,31 @@
 
 namespace coronet {
 
-struct Moments {
+/// Of order zero.
+struct KernelSums {
     using reads = Fields<Volume>;
     using own = Fields<>;
-    using gives = Fields<KernelSum, KernelMoment, SlopeSum, SlopeMoment>;
+    using gives = Fields<KernelSum, SlopeSum>;
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        auto const VW = ij.j.V * ij.W;
-        auto const VgradW = (ij.j.V * ij.F) * ij.x;
-        return give<gives>(ij, VW, -VW * ij.x, VgradW, -outer_of_parallels(VgradW, ij.x));
+        return give<gives>(ij, ij.j.V * ij.W, (ij.j.V * ij.F) * ij.x);
     }
 };
+
+/// Of order one.
+struct KernelMoments {
+    using reads = Fields<Volume>;
+    using own = Fields<>;
+    using gives = Fields<KernelMoment, SlopeMoment>;
+
+    template <class P>
+    CORONET_HD auto operator()(P const& ij) const {
+        auto const VgradW = (ij.j.V * ij.F) * ij.x;
+        return give<gives>(ij, -(ij.j.V * ij.W) * ij.x, -outer_of_parallels(VgradW, ij.x));
+    }
+};
+
+using Moments = Sum<KernelSums, KernelMoments>;
 
 }  // namespace coronet

@@ -9,8 +9,9 @@
 //
 // With grad W~_ij = L_i grad W_ij - q_i W_ij (terms/gradient_correction.hpp), T = sigma L and s = sigma q it reads
 //     dv_i/dt = 1/rho_i sum_j V_j ((T_i + T_j) grad W_ij + (s_j - s_i) W_ij);
-// the plain SPH form (Eq 80) has T = sigma, s = 0. In the corrected form the part of i needs only sums that its gradient
-// has formed already, G0 = sum_j V_j grad W_ij and W0 = sum_j V_j W_ij over the neighbours, so the pair loop is left with
+// the plain SPH form (Eq 80) has T = sigma, s = 0. In the corrected form the part of i needs only sums that its
+// gradient has formed already, G0 = sum_j V_j grad W_ij and W0 = sum_j V_j W_ij over the neighbours, so the pair loop
+// is left with
 //     dv_i/dt = own_i + 1/rho_i sum_j ((V T)_j grad W_ij + (V s)_j W_ij),   own_i = (T_i G0_i - s_i W0_i)/rho_i.
 
 #include "coronet/pairs/law.hpp"
