@@ -37,8 +37,9 @@ std::vector<double> after_steps(Case const& c, int steps) {
 }
 
 template <int D>
-void expect_same_bits_for_any_threads(std::string const& gradient) {
-    auto const c = liquid_case<D>({.gradient = gradient, .step = 2e-3, .more = "[output]\nframes = false\n"});
+void expect_same_bits_for_any_threads(std::string const& gradient, std::string const& precision) {
+    auto c = liquid_case<D>({.gradient = gradient, .step = 2e-3, .more = "[output]\nframes = false\n"});
+    c.method.precision = precision;
     set_threads(1);
     auto const one = after_steps<D>(c, 30);
     set_threads(2);
@@ -53,10 +54,11 @@ void expect_same_bits_for_any_threads(std::string const& gradient) {
 }  // namespace
 
 TEST(Threads, ChangeNoBitOfTheResult) {
-    for (std::string const gradient : {"sph", "cph", "fpm"}) {
-        expect_same_bits_for_any_threads<2>(gradient);
-        expect_same_bits_for_any_threads<3>(gradient);
-    }
+    for (std::string const gradient : {"sph", "cph", "fpm"})
+        for (std::string const precision : {"double", "mixed"}) {
+            expect_same_bits_for_any_threads<2>(gradient, precision);
+            expect_same_bits_for_any_threads<3>(gradient, precision);
+        }
 }
 
 TEST(MovingFrame, ChangesTheMotionByItsVelocityOnly) {

@@ -29,6 +29,7 @@ void say(Errors& errors, fmt::format_string<Parts...> text, Parts&&... parts) {
 }
 
 constexpr double most_particles = 5e8, most_frames = 1e6, most_rows = 1e8, most_steps = 1e10;
+constexpr double least_mixed_radius = 1e-7;  // [m]; W'/r in 3D is of order 1/H^5, and a float ends at 1e38
 
 void check_names(Case const& c, Errors& errors) {
     auto const plain = [](std::string const& name, std::string const& others) {
@@ -165,6 +166,13 @@ void check(Case const& c, Errors& errors) {
     if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
         say(errors, "method.viscous_force = 'morris' goes with method.gradient = 'sph' only, not '{}': use 'stress'",
             c.method.gradient);
+    double const radius = c.method.support * c.particles.spacing;
+    if (c.method.precision == "mixed" && (radius < least_mixed_radius || radius > 1 / least_mixed_radius))
+        say(errors,
+            "method.precision = 'mixed' holds lengths of {:.0e} to {:.0e} m, but the kernel's radius is {:.3g} m "
+            "(support "
+            "{} times spacing {} m): use 'double'",
+            least_mixed_radius, 1 / least_mixed_radius, radius, c.method.support, c.particles.spacing);
     check_names(c, errors);
     check_times(c, errors);
     check_probes<D>(c, errors);

@@ -6,8 +6,9 @@
 // number from as many arrays. The first groups of all particles stand one after another, then the second groups, and
 // so on: a group is found by the particle's place in the lists alone (neighbours/neighbours.hpp).
 //
-// With T = float coordinates are fixed-point numbers in units of support/2^24 (core/coordinate.hpp): finer than the
-// rounding of a distance in float.
+// With T = float coordinates are fixed-point numbers in units of support/2^24 (core/coordinate.hpp), finer than the
+// rounding of a distance in float, and velocities are relative to a frame, the mean of all: laws know differences of
+// velocity alone, and a common motion would use up their digits.
 
 #include <type_traits>
 #include <utility>
@@ -24,14 +25,18 @@ struct Records;
 template <int D, class T, class... F>
 struct Records<D, T, Fields<F...>> {
     static constexpr int used = D + (0 + ... + components<F::rank, D>());
+    /// Whether velocities are relative to the frame.
+    static constexpr bool is_relative = sizeof(T) == 4 && (std::is_same_v<F, Velocity> || ...);
     static constexpr std::size_t width = static_cast<std::size_t>((used + 3) / 4 * 4);
 
     T* first = nullptr;      ///< the first group of particle 0, aligned to 64 bytes
     std::size_t stride = 0;  ///< numbers from one group to the next of the same particle
     Coordinate<T> coordinate{1};
+    Vector<double, D> frame = {};  ///< velocity that velocities are relative to [m/s]
 
     /// Copies particles [begin, end) into their records.
     void fill(View<D> const& view, std::size_t begin, std::size_t end) const {
+        double shift[width] = {};
         double const* from[width];  // for each number of a record, and something to read for those that are unused
         for (double const*& numbers : from) numbers = view.template at<Position>();
         for (int k = 0; k < D; ++k) from[k] = view.template at<Position>(k);
@@ -39,13 +44,17 @@ struct Records<D, T, Fields<F...>> {
             for (int k = 0; k < components<G::rank, D>(); ++k) from[slot(offset<G>() + k)] = view.template at<G>(k);
         };
         (add(F{}), ...);
+        if constexpr (is_relative)
+            for (int k = 0; k < D; ++k) shift[slot(offset<Velocity>() + k)] = frame[k];
         auto const fill_group = [&]<std::size_t group>(std::integral_constant<std::size_t, group>) {
             T* const to = first + group * stride;
             double const* const* const numbers = from + 4 * group;
             for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t c = 0; c < 4; ++c)
-                    to[4 * i + c] =
-                        4 * group + c < D ? coordinate.stored(numbers[c][i]) : static_cast<T>(numbers[c][i]);
+                for (std::size_t c = 0; c < 4; ++c) {
+                    double const value = numbers[c][i];
+                    if (4 * group + c < D) to[4 * i + c] = coordinate.stored(value);
+                    else to[4 * i + c] = static_cast<T>(is_relative ? value - shift[4 * group + c] : value);
+                }
         };
         [&]<std::size_t... group>(std::index_sequence<group...>) {
             (fill_group(std::integral_constant<std::size_t, group>{}), ...);
