@@ -35,7 +35,6 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(PositionBefore, x0, vector, "m", "position at the start of the step")                                  \
     X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                                \
     X(DensityBefore, rho0, scalar, "kg/m^3", "density at the start of the step")                             \
-    X(PositionListed, x_listed, vector, "m", "position when the neighbours were listed")                     \
     X(KernelSum, W0, scalar, "-", "sum V W")                                                                 \
     X(KernelMoment, W1, vector, "m", "sum V (x_j - x_i) W")                                                  \
     X(SlopeSum, G0, vector, "1/m", "sum V grad W")                                                           \

@@ -5,6 +5,7 @@
 // their cells, x fastest, so that the particles of neighbouring cells of a row are one contiguous range: near in space
 // is near in memory.
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -59,6 +60,8 @@ public:
 
     /// The lower corner [m].
     Vector<double, D> const& low() const { return low_; }
+    /// The largest length along an axis [m].
+    double extent() const { return width() * *std::max_element(cells_.begin(), cells_.end()); }
     /// The width of a cell [m].
     double width() const { return 1 / inverse_width_; }
 

@@ -12,7 +12,6 @@ namespace coronet {
 
 namespace {
 
-constexpr std::size_t particles_per_chunk = 256;
 // A block is long enough that handing it to a thread costs nothing, and short enough that many fill all threads evenly.
 constexpr std::size_t pairs_per_block = 4096;
 
@@ -102,7 +101,8 @@ bool Neighbours<D>::still_valid(Particles<D> const& particles) {
         Displacements here = none();
         grid_.for_rows_of_block(place_of(b), [&](Range range) {
             for (auto i = static_cast<std::size_t>(range.first); i < static_cast<std::size_t>(range.last); ++i) {
-                auto const moved = view.template get<Position>(i) - view.template get<PositionListed>(i);
+                Vector<double, D> moved = view.template get<Position>(i) - grid_.low();
+                unrolled<D>([&](int k) { moved[k] -= listed_[k][i]; });
                 here.add({moved, moved});
                 // A position that is no number any more must not go unseen: listing anew will say so.
                 if (!(norm2(moved) < std::numeric_limits<double>::infinity()))
@@ -127,7 +127,7 @@ bool Neighbours<D>::still_valid(Particles<D> const& particles) {
     spread_ = *std::max_element(widest.begin(), widest.end());
     Displacements whole = none();
     for (Displacements const& part : all) whole.add(part);
-    return spread_ < skin_ && whole.spread() < support_ + 2 * skin_;
+    return spread_ + rounding_ < skin_ && whole.spread() < support_ + 2 * skin_;
 }
 
 template <int D>
@@ -140,8 +140,8 @@ void Neighbours<D>::tune() {
 
 template <int D>
 void Neighbours<D>::list(Particles<D>& particles) {
-    particles.allocate(Fields<PositionListed>{});
     double const reach = support_ + skin_;
+    for (auto& chunk : chunks_) chunk = {};  // the old rows are of no use: their memory is
     grid_.sort(particles, reach);
 
     std::size_t const n = particles.size();
@@ -159,14 +159,17 @@ void Neighbours<D>::list(Particles<D>& particles) {
     Scan<D> scan{{}, static_cast<float>(limit * limit)};
     for (int k = 0; k < D; ++k) {
         float* const to = coordinates + static_cast<std::size_t>(k) * stride;
+        listed_[k].resize(n);
         scan.x[k] = to;
         for_each(n, [&](std::size_t i) {
-            double const x = view.template at<Position>(k)[i];
-            view.template at<PositionListed>(k)[i] = x;
-            to[i] = coordinate.stored(x - grid_.low()[k]);
+            double const x = view.template at<Position>(k)[i] - grid_.low()[k];
+            listed_[k][i] = static_cast<float>(x);
+            to[i] = coordinate.stored(x);
         });
     }
 
+    // Two displacements are each off by half a unit in the last place of a float along every axis.
+    rounding_ = 0x1p-23 * std::sqrt(D) * grid_.extent();
     first_.resize(n);
     count_.resize(n);
     chunks_.resize((n + particles_per_chunk - 1) / particles_per_chunk);
@@ -195,15 +198,11 @@ void Neighbours<D>::list(Particles<D>& particles) {
             }
             count_[i] = static_cast<Index>(used - start);
         }
-        // No more memory than the rows need, but for a little room to grow in: most listings then reuse it.
-        std::size_t const whole = used + pack_size<float>;
-        if (chunk.size() < whole || chunk.size() > whole + whole / 8) {
-            chunk = {};
-            chunk.resize(whole + whole / 64);
-        }
-        std::copy_n(rows.begin(), used, chunk.begin());
-        std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(used), chunk.end(), Index{0});
-        Index const* row = chunk.data();
+        // No more memory than the rows need, and a pack behind the last.
+        chunk.reserve(used + pack_size<float>);
+        chunk.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(used));
+        chunk.resize(used + pack_size<float>, Index{0});
+        Index row = 0;
         for (std::size_t i = begin; i < end; row += count_[i], ++i) first_[i] = row;
     });
 

@@ -53,7 +53,9 @@ public:
 
     /// The neighbours of i as a sweep uses them: each is its number times `place`, where its group of four numbers
     /// stands among those of all particles (pairs/records.hpp). As many as a pack holds may be read behind the last.
-    std::span<Index const> places(std::size_t i) const { return {first_[i], static_cast<std::size_t>(count_[i])}; }
+    std::span<Index const> places(std::size_t i) const {
+        return {chunks_[i / particles_per_chunk].data() + first_[i], static_cast<std::size_t>(count_[i])};
+    }
     static constexpr Index place = 4;
 
     /// The numbers of the neighbours of i.
@@ -93,8 +95,12 @@ private:
     double support_, skin_, listing_cost_;
     CellGrid<D> grid_;
     std::vector<std::vector<Index>> chunks_;  // the rows, chunk by chunk of particles
-    std::vector<Index const*> first_;
-    std::vector<Index> count_;
+    static constexpr std::size_t particles_per_chunk = 256;
+    std::vector<Index> first_, count_;  // of each row: where it begins in its chunk, and how long it is
+    /// Positions at the last listing, from the lower corner of the grid; rounded to float, for that is as fine as a
+    /// skin needs in any but a huge domain, where `rounding_` is taken off the skin.
+    std::vector<float> listed_[D];
+    double rounding_ = 0;  // [m]
     Targets all_;
     std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing
     double spread_ = 0;                       // of displacements since then, among particles that can meet [m]

@@ -17,7 +17,7 @@ namespace {
 
 // Of a skin that is tuned: where it begins, as a share of the support, and the cost of a listing in evaluations
 // (docs/performance.md).
-constexpr double first_skin = 0.03, listing_cost = 1;
+constexpr double first_skin = 0.03, listing_cost = 0.8;
 
 }  // namespace
 
