@@ -185,7 +185,8 @@ void describe(Keys& keys, Case& c) {
                 m.support);
     keys.number_or({.path = "method.skin",
                     .unit = "spacings",
-                    .meaning = "margin of the neighbour lists; changes the speed alone, and auto tunes it on the way",
+                    .meaning = "margin of the neighbour lists; auto tunes it on the way. It changes the speed, and "
+                               "with cph how often the zones are marked",
                     .above = 0,
                     .at_most = 5},
                    m.skin, "auto");

@@ -10,6 +10,12 @@ void set_threads(int threads) {
     omp_set_num_threads(threads > 0 ? threads : standard);
 }
 
+void deal_blocks(std::size_t blocks) {
+    constexpr std::size_t many = 64;
+    if (blocks >= many) omp_set_schedule(omp_sched_static, 0);
+    else omp_set_schedule(omp_sched_dynamic, 1);
+}
+
 int threads() { return omp_get_max_threads(); }
 
 }  // namespace coronet

@@ -16,12 +16,17 @@ namespace coronet {
 void set_threads(int threads);
 int threads();
 
+/// How the next loop deals its blocks. Many go to the threads in equal runs, so that a thread finds in its cache what
+/// it wrote in the loop before; few go to whoever is free, for they differ in length.
+void deal_blocks(std::size_t blocks);
+
 /// Calls work(block) for block = 0 ... blocks - 1, each once, on any thread. What the work throws (memory may run out)
 /// leaves the loop when all blocks have ended.
 template <class Work>
 void for_blocks(std::size_t blocks, Work const& work) {
     std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 1)
+    deal_blocks(blocks);
+#pragma omp parallel for schedule(runtime)
     for (std::size_t block = 0; block < blocks; ++block) {
         try {
             work(block);

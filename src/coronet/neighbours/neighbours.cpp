@@ -127,7 +127,7 @@ bool Neighbours<D>::still_valid(Particles<D> const& particles) {
     spread_ = *std::max_element(widest.begin(), widest.end());
     Displacements whole = none();
     for (Displacements const& part : all) whole.add(part);
-    return spread_ + rounding_ < skin_ && whole.spread() < support_ + 2 * skin_;
+    return spread_ + rounding_ < skin_ && whole.spread() + rounding_ < support_ + 2 * skin_;
 }
 
 template <int D>
@@ -135,7 +135,8 @@ void Neighbours<D>::tune() {
     double const Lw = listing_cost_ * spread_ / static_cast<double>(updates_);
     double const b = (D - 1) * Lw;
     double const best = (std::sqrt(b * b + 4 * D * Lw * support_) - b) / (2 * D);
-    if (best == best) skin_ = std::clamp(best, narrowest_skin * support_, widest_skin * support_);
+    if (best == best)
+        skin_ = std::min(std::max(best, narrowest_skin * support_ + 2 * rounding_), widest_skin * support_);
 }
 
 template <int D>

@@ -7,7 +7,7 @@
 //     using gives = Fields<...>;   the fields to which it contributes
 //     auto operator()(pair) const  the contribution, give<gives>(pair, ...)
 // It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
-// vanish at the edge of the support, and the sweep fills unused lanes with such pairs.
+// vanish at the edge of the support. Unused lanes of a sweep hold some other particle, moved beyond it.
 
 #include "coronet/pairs/pair.hpp"
 

@@ -29,7 +29,7 @@ struct Records<D, T, Fields<F...>> {
     static constexpr bool is_relative = sizeof(T) == 4 && (std::is_same_v<F, Velocity> || ...);
     static constexpr std::size_t width = static_cast<std::size_t>((used + 3) / 4 * 4);
 
-    T* first = nullptr;      ///< the first group of particle 0, aligned to 64 bytes
+    T* first = nullptr;      ///< the first group of particle 0, aligned to a group
     std::size_t stride = 0;  ///< numbers from one group to the next of the same particle
     Coordinate<T> coordinate{1};
     Vector<double, D> frame = {};  ///< velocity that velocities are relative to [m/s]
@@ -88,7 +88,7 @@ private:
 
     /// Where number k of a record stands. If the last group holds two numbers, they stand first and third in it: that
     /// saves half of their transposition.
-    static constexpr int slot(int k) { return used % 4 == 2 && k == used - 1 ? used : k; }
+    static constexpr int slot(int k) { return used % 4 == 2 && k == used - 1 && k >= D ? used : k; }
 
     /// Which of a record's numbers is the first component of field G.
     template <class G>

@@ -84,8 +84,8 @@ template <int D, class T, int knots, class List, class Law>
     using Reads = typename Law::reads;
     Pair<R, D, Unite<Reads, typename Law::own>, Reads> ij;
     Vector<R, D> x_i;
-    records.spread(i, x_i, ij.i, Reads{});
     spread_own(view, i, ij.i, typename Law::own{});
+    records.spread(i, x_i, ij.i, Reads{});  // last: what is in both lists must be rounded as that of the neighbours is
     ij.h = R(kernel.support / 3);
     R const far(4 * kernel.support * kernel.support), softening(0.01 * kernel.support * kernel.support / 9);
 
