@@ -43,15 +43,13 @@ Work work_per_evaluation(Case const& c, double neighbours, double exterior) {
 
     using ForForces = Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration>;
     using Forces = Fields<Acceleration>;
-    if (plain)
-        return of_sweep<D, Fields<DensityRate, Stress>>(c, neighbours, PlainGradients{}) +
-               (with_terms ? of_sweep<D, Forces>(c, neighbours, PlainForcesAndPairTerms{{}, terms})
-                           : of_sweep<D, Forces>(c, neighbours, PlainForces{}));
-    double const corrected = c.method.gradient == "cph" ? exterior : 1;
-    return (1 - corrected) * of_sweep<D, ForForces>(c, neighbours, PlainGradients{}) +
-           corrected * of_sweep<D, ForForces>(c, neighbours, CorrectedGradients{}) +
-           (with_terms ? of_sweep<D, Forces>(c, neighbours, CorrectedForcesAndPairTerms{{}, terms})
-                       : of_sweep<D, Forces>(c, neighbours, CorrectedForces{}));
+    double const corrected = plain ? 0 : c.method.gradient == "cph" ? exterior : 1;
+    return (1 - corrected) * (of_sweep<D, Fields<DensityRate, Stress>>(c, neighbours, PlainGradients{}) +
+                              (with_terms ? of_sweep<D, Forces>(c, neighbours, PlainForcesAndPairTerms{{}, terms})
+                                          : of_sweep<D, Forces>(c, neighbours, PlainForces{}))) +
+           corrected * (of_sweep<D, ForForces>(c, neighbours, CorrectedGradients{}) +
+                        (with_terms ? of_sweep<D, Forces>(c, neighbours, CorrectedForcesAndPairTerms{{}, terms})
+                                    : of_sweep<D, Forces>(c, neighbours, CorrectedForces{})));
 }
 
 template Work work_per_evaluation<2>(Case const&, double, double);
