@@ -145,6 +145,20 @@ TEST(Neighbours, WithATunedSkinHoldAllPairsAndAreListedLessOftenInSlowFlow) {
     EXPECT_LT(fast, 60u);
 }
 
+TEST(Neighbours, WithATunedSkinDoNotCareHowOftenTheyAreLookedAt) {
+    auto const skin = [](int looks) {
+        auto particles = particles_at<2>(cloud<2>(500));
+        Neighbours<2> neighbours(0.1, 0.005, 1);
+        for (int step = 0; step < 40; ++step) {
+            move(particles, [=](auto id) { return along<2>(0, id % 2 == 0 ? 5e-4 : -5e-4); });
+            for (int look = 0; look < looks; ++look) neighbours.update(particles);
+        }
+        return neighbours.skin();
+    };
+    EXPECT_EQ(skin(3), skin(1));
+    EXPECT_NE(skin(1), 0.005);
+}
+
 TEST(Neighbours, WithoutASkinAreAlwaysListedAnew) {
     auto particles = particles_at<2>(cloud<2>(100));
     Neighbours<2> neighbours(0.3, 0);

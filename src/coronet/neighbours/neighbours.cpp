@@ -48,12 +48,16 @@ struct Scan {
 
 template <int D>
 bool Neighbours<D>::update(Particles<D>& particles) {
-    ++updates_;
-    if (still_valid(particles)) return false;
+    // Looking twice at the same positions is no motion: how often someone looks must not steer the skin.
+    double const before = spread_;
+    bool const valid = still_valid(particles);
+    updates_ += spread_ != before;
+    if (valid) return false;
     if (listing_cost_ > 0 && listings_ > 0) tune();
     list(particles);
     ++listings_;
     updates_ = 0;
+    still_valid(particles);  // the spread that rounding leaves without any motion
     return true;
 }
 

@@ -102,7 +102,7 @@ private:
     std::vector<float> listed_[D];
     double rounding_ = 0;  // [m]
     Targets all_;
-    std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing
+    std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing that saw motion
     double spread_ = 0;                       // of displacements since then, among particles that can meet [m]
     std::vector<Displacements> displaced_;    // of each block of cells
 };
