@@ -21,6 +21,7 @@
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
 #include "coronet/core/parallel.hpp"
+#include "coronet/run/memory.hpp"
 #include "coronet/run/run.hpp"
 #include "coronet/version.hpp"
 
@@ -122,6 +123,7 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     coronet::let_idle_threads_sleep(argv);
+    coronet::return_freed_memory();
     try {
         return coronet::start(argc, argv);
     } catch (coronet::CaseError const& error) {

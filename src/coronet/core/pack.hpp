@@ -9,7 +9,7 @@
 
 #include "coronet/core/real.hpp"
 
-#if CORONET_SIMD && defined(__AVX512F__)
+#if CORONET_SIMD && defined(__AVX__)
 #include <immintrin.h>
 #endif
 
@@ -72,6 +72,10 @@ Pack<T> load(T const* from) {
     __builtin_memcpy(&pack.lanes, from, sizeof pack.lanes);
     return pack;
 }
+template <class T>
+void store(Pack<T> const& pack, T* to) {
+    __builtin_memcpy(to, &pack.lanes, sizeof pack.lanes);
+}
 
 template <>
 inline constexpr double nearest_square<Pack<float>> = 1e-14;
@@ -108,9 +112,9 @@ inline double sum(Pack<float> const& a) {
 inline Pack<double> square_root(Pack<double> const& a) { return Pack<double>(_mm512_sqrt_pd(a.lanes)); }
 inline Pack<float> square_root(Pack<float> const& a) { return Pack<float>(_mm512_sqrt_ps(a.lanes)); }
 
-/// 1/sqrt(a) to a unit or two in the last place for a > 0. From the 14 bits that the processor looks up, with
-/// e = 1 - a y^2: 1/sqrt(a) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)); float needs one term less. A root and a
-/// division would keep the divider busy for longer than the rest of a pair takes.
+/// 1/sqrt(a) to a unit or two in the last place for a > 0 that a float can hold. From the 14 bits that the processor
+/// looks up, with e = 1 - a y^2: 1/sqrt(a) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)); float needs one term less. A
+/// root and a division would keep the divider busy for longer than the rest of a pair takes.
 inline Pack<double> inverse_root(Pack<double> const& a) {
     Pack<double> const y(_mm512_rsqrt14_pd(a.lanes));
     Pack<double> const e = 1.0 - a * y * y;
@@ -118,6 +122,45 @@ inline Pack<double> inverse_root(Pack<double> const& a) {
 }
 inline Pack<float> inverse_root(Pack<float> const& a) {
     Pack<float> const y(_mm512_rsqrt14_ps(a.lanes));
+    Pack<float> const e = 1.0 - a * y * y;
+    return y + y * (e * (0.5 + e * 0.375));
+}
+
+#elif CORONET_SIMD && defined(__AVX2__) && defined(__FMA__)
+
+inline Pack<double> largest(Pack<double> const& a, Pack<double> const& b) {
+    return Pack<double>(_mm256_max_pd(a.lanes, b.lanes));
+}
+inline Pack<float> largest(Pack<float> const& a, Pack<float> const& b) {
+    return Pack<float>(_mm256_max_ps(a.lanes, b.lanes));
+}
+inline Pack<double> smallest(Pack<double> const& a, Pack<double> const& b) {
+    return Pack<double>(_mm256_min_pd(a.lanes, b.lanes));
+}
+inline Pack<float> smallest(Pack<float> const& a, Pack<float> const& b) {
+    return Pack<float>(_mm256_min_ps(a.lanes, b.lanes));
+}
+
+inline double sum(Pack<double> const& a) {
+    __m128d const halves = _mm256_castpd256_pd128(a.lanes) + _mm256_extractf128_pd(a.lanes, 1);
+    return halves[0] + halves[1];
+}
+inline double sum(Pack<float> const& a) {
+    return sum(Pack<double>(_mm256_cvtps_pd(_mm256_castps256_ps128(a.lanes)) +
+                            _mm256_cvtps_pd(_mm256_extractf128_ps(a.lanes, 1))));
+}
+
+inline Pack<double> square_root(Pack<double> const& a) { return Pack<double>(_mm256_sqrt_pd(a.lanes)); }
+inline Pack<float> square_root(Pack<float> const& a) { return Pack<float>(_mm256_sqrt_ps(a.lanes)); }
+
+/// The same from the 11 bits that the processor looks up, for floats: a must be within their range. One term more.
+inline Pack<double> inverse_root(Pack<double> const& a) {
+    Pack<double> const y(_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(a.lanes))));
+    Pack<double> const e = 1.0 - a * y * y;
+    return y + y * (e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375))));
+}
+inline Pack<float> inverse_root(Pack<float> const& a) {
+    Pack<float> const y(_mm256_rsqrt_ps(a.lanes));
     Pack<float> const e = 1.0 - a * y * y;
     return y + y * (e * (0.5 + e * 0.375));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The moves of a pack that vector types have no words for: fetching scattered groups of four, comparing into bits, and
-// writing the chosen of a range one after another. Each has a plain version that any machine runs.
+// The moves of a pack that vector types have no words for: fetching and writing scattered numbers, comparing into bits,
+// and writing the chosen of a range one after another. Each has a plain version that any machine runs.
 
 #include <cstddef>
 
@@ -53,6 +53,12 @@ inline Pack<double> fetch_one(double const* first, Index const* place) {
 }
 inline Pack<float> fetch_one(float const* first, Index const* place) {
     return Pack<float>(_mm512_i32gather_ps(_mm512_loadu_si512(place), first, 4));
+}
+
+/// Writes the first `count` lanes to the places that they are given.
+inline void scatter(Pack<double> const& a, double* first, Index const* place, int count) {
+    auto const held = static_cast<__mmask8>((1u << count) - 1);
+    _mm512_mask_i32scatter_pd(first, held, _mm256_loadu_si256(reinterpret_cast<__m256i const*>(place)), a.lanes, 8);
 }
 
 /// The sums of the lanes of eight packs, formed in double, in less than half of the time of eight single sums.
@@ -110,6 +116,99 @@ void squeeze_range(unsigned held, Index first, Index* to) {
     }
 }
 
+#elif CORONET_SIMD && defined(__AVX2__) && !defined(__AVX512F__)
+
+inline void fetch_four(double const* first, Index const* place, Pack<double>* component) {
+    auto const group = [&](int lane) { return _mm256_load_pd(first + place[lane]); };
+    __m256d const a = group(0), b = group(1), c = group(2), d = group(3);
+    __m256d const ab02 = _mm256_unpacklo_pd(a, b), ab13 = _mm256_unpackhi_pd(a, b);
+    __m256d const cd02 = _mm256_unpacklo_pd(c, d), cd13 = _mm256_unpackhi_pd(c, d);
+    component[0] = Pack<double>(_mm256_permute2f128_pd(ab02, cd02, 0x20));
+    component[1] = Pack<double>(_mm256_permute2f128_pd(ab13, cd13, 0x20));
+    component[2] = Pack<double>(_mm256_permute2f128_pd(ab02, cd02, 0x31));
+    component[3] = Pack<double>(_mm256_permute2f128_pd(ab13, cd13, 0x31));
+}
+inline void fetch_four(float const* first, Index const* place, Pack<float>* component) {
+    auto const group = [&](int lane) { return _mm_load_ps(first + place[lane]); };
+    auto const two = [&](int lane) {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(group(lane)), group(lane + 4), 1);
+    };
+    __m256 const a = two(0), b = two(1), c = two(2), d = two(3);
+    auto const wide = [](__m256 pack) { return _mm256_castps_pd(pack); };
+    __m256d const ab01 = wide(_mm256_unpacklo_ps(a, b)), ab23 = wide(_mm256_unpackhi_ps(a, b));
+    __m256d const cd01 = wide(_mm256_unpacklo_ps(c, d)), cd23 = wide(_mm256_unpackhi_ps(c, d));
+    component[0] = Pack<float>(_mm256_castpd_ps(_mm256_unpacklo_pd(ab01, cd01)));
+    component[1] = Pack<float>(_mm256_castpd_ps(_mm256_unpackhi_pd(ab01, cd01)));
+    component[2] = Pack<float>(_mm256_castpd_ps(_mm256_unpacklo_pd(ab23, cd23)));
+    component[3] = Pack<float>(_mm256_castpd_ps(_mm256_unpackhi_pd(ab23, cd23)));
+}
+
+inline Pack<double> fetch_one(double const* first, Index const* place) {
+    return Pack<double>(_mm256_setr_pd(first[place[0]], first[place[1]], first[place[2]], first[place[3]]));
+}
+inline Pack<float> fetch_one(float const* first, Index const* place) {
+    return Pack<float>(_mm256_setr_ps(first[place[0]], first[place[1]], first[place[2]], first[place[3]],
+                                      first[place[4]], first[place[5]], first[place[6]], first[place[7]]));
+}
+
+inline void scatter(Pack<double> const& a, double* first, Index const* place, int count) {
+    for (int lane = 0; lane < count; ++lane) first[place[lane]] = a[lane];
+}
+
+inline void sum_eight(Pack<double> const* a, double* sums) {
+    auto const pairs = [&](int k) {
+        return _mm256_unpacklo_pd(a[k].lanes, a[k + 1].lanes) + _mm256_unpackhi_pd(a[k].lanes, a[k + 1].lanes);
+    };
+    auto const four = [&](int k) {
+        __m256d const p = pairs(k), q = pairs(k + 2);
+        return _mm256_permute2f128_pd(p, q, 0x20) + _mm256_permute2f128_pd(p, q, 0x31);
+    };
+    _mm256_storeu_pd(sums, four(0));
+    _mm256_storeu_pd(sums + 4, four(4));
+}
+inline void sum_eight(Pack<float> const* a, double* sums) {
+    Pack<double> halves[8];
+    for (int k = 0; k < 8; ++k)
+        halves[k] = Pack<double>(_mm256_cvtps_pd(_mm256_castps256_ps128(a[k].lanes)) +
+                                 _mm256_cvtps_pd(_mm256_extractf128_ps(a[k].lanes, 1)));
+    sum_eight(halves, sums);
+}
+
+inline Pack<double> keep_first(Pack<double> const& a, std::size_t count, Pack<double> const& other) {
+    __m256d const held = Pack<double>(static_cast<double>(count)).lanes > _mm256_setr_pd(0, 1, 2, 3);
+    return Pack<double>(_mm256_blendv_pd(other.lanes, a.lanes, held));
+}
+inline Pack<float> keep_first(Pack<float> const& a, std::size_t count, Pack<float> const& other) {
+    __m256 const held = Pack<float>(static_cast<double>(count)).lanes > _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
+    return Pack<float>(_mm256_blendv_ps(other.lanes, a.lanes, held));
+}
+
+inline unsigned lanes_below(Pack<double> const& values, double limit) {
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(values.lanes, _mm256_set1_pd(limit), _CMP_LT_OQ)));
+}
+inline unsigned lanes_below(Pack<float> const& values, float limit) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(values.lanes, _mm256_set1_ps(limit), _CMP_LT_OQ)));
+}
+
+/// For every set of eight lanes, the numbers of its lanes one after another, a byte each.
+inline constexpr auto squeezed_lanes = [] {
+    struct {
+        std::uint64_t of[256] = {};
+    } table;
+    for (unsigned held = 0; held < 256; ++held)
+        for (unsigned lane = 0, next = 0; lane < 8; ++lane)
+            if (held >> lane & 1u) table.of[held] |= static_cast<std::uint64_t>(lane) << 8 * next++;
+    return table;
+}();
+
+template <class T, int step>
+void squeeze_range(unsigned held, Index first, Index* to) {
+    auto const lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(squeezed_lanes.of[held])));
+    auto const numbers = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_mullo_epi32(lanes, _mm256_set1_epi32(step)));
+    if constexpr (sizeof(T) == 8) _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_castsi256_si128(numbers));
+    else _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), numbers);
+}
+
 #else
 
 template <class T>
@@ -122,6 +221,9 @@ Pack<T> fetch_one(T const* first, Index const* place) {
     Pack<T> pack;
     for (int lane = 0; lane < pack_size<T>; ++lane) pack.lanes[lane] = first[place[lane]];
     return pack;
+}
+inline void scatter(Pack<double> const& a, double* first, Index const* place, int count) {
+    for (int lane = 0; lane < count; ++lane) first[place[lane]] = a[lane];
 }
 template <class T>
 void sum_eight(Pack<T> const* a, double* sums) {

@@ -85,6 +85,14 @@ CORONET_HD constexpr T operator-(T a) {
     return a;
 }
 
+/// A vector of doubles as one of another number type.
+template <class R, int D>
+CORONET_HD constexpr Vector<R, D> numbers(Vector<double, D> const& a) {
+    Vector<R, D> r;
+    unrolled<D>([&](int k) { r[k] = R(a[k]); });
+    return r;
+}
+
 template <class R, int D>
 CORONET_HD constexpr R dot(Vector<R, D> const& a, Vector<R, D> const& b) {
     R s = a[0] * b[0];

@@ -60,14 +60,15 @@ std::span<std::string_view const> kernel_names() { return names; }
 Kernel make_kernel(std::string_view name, int dimension, double support) {
     for (Shape const& shape : shapes) {
         if (shape.name != name) continue;
-        Kernel kernel{support, 1 / support, shape.knots, {}, {}, {}};
+        double const unit = std::exp2(std::round(std::log2(support)));
+        Kernel kernel{support, 1 / (unit * unit), unit / support, shape.knots, {}, {}, {}};
         double const factor = shape.norm[dimension - 1] / std::pow(support, dimension);
         for (int k = 0; k < shape.knots; ++k) {
             Piece const& piece = name == "wendland-c2" && dimension == 1 ? wendland_1d : shape.piece[k];
             kernel.knot[k] = piece.knot;
             for (int n = 0; n < 4; ++n) {
                 kernel.c[k][n] = factor * piece.c[n];
-                kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support;
+                kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support / unit;
             }
         }
         return kernel;

@@ -24,12 +24,15 @@ struct KernelValue {
 
 struct Kernel {
     static constexpr int most_knots = 3;
-    double support;          ///< H [m]
-    double inverse_support;  ///< 1/H [1/m]
+    double support;  ///< H [m]
+    /// Distances are taken in units of a power of two near H, so that roots are of numbers near one and no digit is
+    /// lost.
+    double per_unit2;  ///< 1/unit^2 [1/m^2]
+    double unit_over_support;
     int knots;
     double knot[most_knots];
     double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
-    double d[most_knots][4];  ///< in 1/m^(D+1): W' = sum_k u_k^2 (d_k0 + d_k1 u_k + ...), d_kn = -(n + 3) c_kn/H
+    double d[most_knots][4];  ///< in 1/m^(D+2): F = unit/r sum_k u_k^2 (d_k0 + ...), d_kn = -(n + 3) c_kn/(H unit)
 
     /// r2 = r^2 [m^2]. At r = 0 F is finite for every kernel but `w3`, whose limit is infinite: there F is large and
     /// F (x_i - x_j) still zero.
@@ -49,9 +52,9 @@ struct Kernel {
 private:
     template <class R, class Count>
     CORONET_HD KernelValue<R> evaluate(R const& r2, Count count) const {
-        R const safe = largest(r2, R(nearest_square<R> * support * support));
+        R const safe = largest(r2 * R(per_unit2), R(nearest_square<R>));
         R const inverse_r = inverse_root(safe);
-        R const s = safe * inverse_r * R(inverse_support);
+        R const s = safe * inverse_r * R(unit_over_support);
         R W = R(0), slope = R(0);
         for (int k = 0; k < count; ++k) {
             R const u = largest(R(knot[k]) - s, R(0));

@@ -12,15 +12,15 @@ struct Newtonian {
     double viscosity = 0;  ///< dynamic shear viscosity eta [Pa s]
 
     /// grad_v(a, b) = dv_a/dx_b [1/s], p [Pa] -> sigma [Pa].
-    template <int D>
-    CORONET_HD Symmetric<double, D> stress(double p, Matrix<double, D> const& grad_v) const {
-        Symmetric<double, D> sigma;
-        double const mean = trace(grad_v) / D;
+    template <class R, int D>
+    CORONET_HD Symmetric<R, D> stress(R const& p, Matrix<R, D> const& grad_v) const {
+        Symmetric<R, D> sigma;
+        R const mean = R(1. / D) * trace(grad_v), eta = R(viscosity);
         unrolled<D * D>([&](int ab) {
             int const a = ab / D, b = ab % D;
-            if (a <= b) sigma(a, b) = viscosity * (grad_v(a, b) + grad_v(b, a));
+            if (a <= b) sigma(a, b) = eta * (grad_v(a, b) + grad_v(b, a));
         });
-        unrolled<D>([&](int a) { sigma(a, a) -= p + 2 * viscosity * mean; });
+        unrolled<D>([&](int a) { sigma(a, a) -= p + (eta + eta) * mean; });
         return sigma;
     }
 };

@@ -15,8 +15,14 @@ namespace {
 // A block is long enough that handing it to a thread costs nothing, and short enough that many fill all threads evenly.
 constexpr std::size_t pairs_per_block = 4096;
 
-// Of the support: a skin narrower than that gains nothing, and one that is wider is not worth its memory.
-constexpr double narrowest_skin = 0.005, widest_skin = 0.3;
+// Of the support: a skin narrower than that gains nothing.
+constexpr double narrowest_skin = 0.005;
+
+/// A skin that makes rows 15 % longer is the widest: rows are most of the memory, and few flows want a wider one.
+template <int D>
+double widest_skin() {
+    return std::pow(1.15, 1.0 / D) - 1;
+}
 
 /// Coordinates of all particles as differences between neighbours want them, and how far is near.
 template <int D>
@@ -140,7 +146,7 @@ void Neighbours<D>::tune() {
     double const b = (D - 1) * Lw;
     double const best = (std::sqrt(b * b + 4 * D * Lw * support_) - b) / (2 * D);
     if (best == best)
-        skin_ = std::min(std::max(best, narrowest_skin * support_ + 2 * rounding_), widest_skin * support_);
+        skin_ = std::min(std::max(best, narrowest_skin * support_ + 2 * rounding_), widest_skin<D>() * support_);
 }
 
 template <int D>

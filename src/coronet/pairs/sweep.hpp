@@ -6,8 +6,8 @@
 // one or two cache lines (pairs/records.hpp). Rows are taken as they are listed: those beyond the support are few, and
 // the kernel makes them nothing, as it does the unused lanes of a row's last pack, which are moved far away.
 //
-// Each particle gathers its own sums and `close(i, sums)` ends it: whatever is computed per particle from the sums
-// happens there, in registers. A close may write any field of particle i: the law reads of j what was copied before.
+// Each particle gathers its own sums, and a close ends a pack of particles (pairs/close.hpp). It may write any field of
+// theirs: the law reads of j what was copied before.
 
 #include <algorithm>
 #include <tuple>
@@ -19,6 +19,7 @@
 #include "coronet/fields/particles.hpp"
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/pairs/close.hpp"
 #include "coronet/pairs/law.hpp"
 #include "coronet/pairs/records.hpp"
 
@@ -53,6 +54,7 @@ struct RowSums<D, Fields<F...>> {
     static constexpr int count = (0 + ... + components<F::rank, D>()), room = (count + 7) / 8 * 8;
     double sum[room];
 
+    RowSums() = default;
     template <class R>
     explicit RowSums(Values<R, D, Fields<F...>> const& packs) {
         R all[room] = {};
@@ -63,11 +65,15 @@ struct RowSums<D, Fields<F...>> {
         (take(F{}), ...);
         for (int k = 0; k < room; k += 8) sum_eight(all + k, sum + k);
     }
-    Values<double, D, Fields<F...>> values() const {
-        Values<double, D, Fields<F...>> values;
+    /// The sums of a pack of rows, one row a lane.
+    static Values<Pack<double>, D, Fields<F...>> values(RowSums const* rows) {
+        Index row[pack_size<double>];
+        for (int lane = 0; lane < pack_size<double>; ++lane) row[lane] = room * lane;
+        Values<Pack<double>, D, Fields<F...>> values;
         int next = 0;
         auto const give = [&]<class G>(G) {
-            unrolled<components<G::rank, D>()>([&](int k) { component(G::of(values), k) = sum[next++]; });
+            unrolled<components<G::rank, D>()>(
+                [&](int k) { component(G::of(values), k) = fetch_one(rows->sum + next++, row); });
         };
         (give(F{}), ...);
         return values;
@@ -154,10 +160,16 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
     }
     (std::index_sequence_for<Parts...>{});
     auto const run = [&](auto const& part, auto const& own, std::size_t block) __attribute__((flatten)) {
-        for (std::size_t k = part.targets.begin[block]; k < part.targets.begin[block + 1]; ++k) {
-            std::size_t const i = part.targets[k];
-            auto const sums = sweep_row<D, T, knots>(view, own, neighbours.places(i), i, kernel, part.law);
-            part.close(i, sums.values());
+        using Sums = RowSums<D, typename std::decay_t<decltype(part.law)>::gives>;
+        constexpr std::size_t most = PackOfParticles<D>::most;
+        Sums rows[most] = {};
+        std::size_t const end = part.targets.begin[block + 1];
+        for (std::size_t first = part.targets.begin[block]; first < end; first += most) {
+            auto const count = static_cast<int>(std::min(most, end - first));
+            PackOfParticles<D> const at(view, count, [&](int lane) { return part.targets[first + lane]; });
+            for (int lane = 0; lane < count; ++lane)
+                rows[lane] = sweep_row<D, T, knots>(view, own, neighbours.places(at[lane]), at[lane], kernel, part.law);
+            part.close(at, Sums::values(rows));
         }
     };
     for_blocks((parts.targets.blocks() + ...), [&](std::size_t block) {
@@ -175,8 +187,8 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
 
 }  // namespace detail
 
-/// Sums the law of each part over the neighbours of each of its targets and hands the sums, a Values<double, D,
-/// Law::gives>, to close(i, sums). All parts read the state of before the sweep.
+/// Sums the law of each part over the neighbours of each of its targets and hands the sums, Values of Law::gives, to
+/// its close (pairs/close.hpp). All parts read the state of before the sweep.
 template <int D, class... Parts>
 void sweep(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel, Precision precision,
            Parts const&... parts) {

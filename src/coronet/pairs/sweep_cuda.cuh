@@ -20,6 +20,24 @@ struct DeviceRows {
     Index const* index;
 };
 
+/// A particle as a close sees it (pairs/close.hpp).
+template <int D>
+struct OneParticle {
+    using Number = double;
+    static constexpr int dimension = D;
+    View<D> view;
+    std::size_t i;
+
+    template <class F>
+    CORONET_HD ValueOf<F, double, D> get() const {
+        return view.template get<F>(i);
+    }
+    template <class F>
+    CORONET_HD void set(ValueOf<F, double, D> const& value) const {
+        view.template set<F>(i, value);
+    }
+};
+
 namespace detail {
 
 template <int D, class... F>
@@ -62,13 +80,13 @@ struct DeviceRowSum {
             ij.gradW = value.F * ij.x;
             add_values(total, law(ij));
         }
-        close(i, total);
+        close(OneParticle<D>{view, i}, total);
     }
 };
 
 }  // namespace detail
 
-/// Sums `law` over the neighbours of each of `count` particles, all in device memory, and ends each with close(i,
+/// Sums `law` over the neighbours of each of `count` particles, all in device memory, and ends each with close(at,
 /// sums).
 template <int D, class Law, class Close>
 void sweep_on_device(View<D> const& view, DeviceRows rows, std::size_t count, Kernel const& kernel, Law const& law,

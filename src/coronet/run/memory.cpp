@@ -24,6 +24,8 @@ std::size_t status(std::string const& name) {
 
 }  // namespace
 
+void return_freed_memory() { mallopt(M_MMAP_THRESHOLD, 1 << 16); }
+
 MemoryGrowth::MemoryGrowth() {
     malloc_trim(0);  // what was freed before goes back to the system, or it would be used again unseen
     std::ofstream file("/proc/self/clear_refs");

@@ -9,6 +9,10 @@
 
 namespace coronet {
 
+/// Large arrays, rows of neighbours among them, go back to the system when they are freed, for as long as the program
+/// runs: else holes of changing sizes pile up between them, a tenth of the memory of a run.
+void return_freed_memory();
+
 class MemoryGrowth {
 public:
     MemoryGrowth();

@@ -16,7 +16,7 @@ std::vector<Interpolated<D>> interpolate(Particles<D> const& particles, Neighbou
     auto const close = [&](std::size_t i, auto const& sums) {
         double const own = view.template get<Volume>(i) * kernel.at_zero();
         double const W0 = sums.W0 + own;
-        GradientCorrection<D> const correction(W0, sums.W1, sums.G0, sums.G1);
+        GradientCorrection<double, D> const correction(W0, sums.W1, sums.G0, sums.G1);
         Interpolated<D>& at = all[i];
         at.sph = sums.f0 + own * view.template get<Sample>(i);
         at.shepard = at.sph / W0;
@@ -24,10 +24,10 @@ std::vector<Interpolated<D>> interpolate(Particles<D> const& particles, Neighbou
         for (int k = 0; k < D; ++k) at.axis_gradient[k] = sums.f_slope[k] / sums.G1(k, k);
         at.fpm_gradient = correction.gradient(sums.f_slope, sums.f_jump);
         at.fpm = (at.sph - dot(sums.W1, at.fpm_gradient)) / W0;
-        at.fell_back = correction.fell_back;
+        at.fell_back = correction.fell_back > 0;
     };
     sweep(particles, neighbours, kernel, Precision::full,
-          Part{neighbours.all(), Sum<Moments, SampledFunction>{}, close});
+          Part{neighbours.all(), Sum<Moments, SampledFunction>{}, OneByOne{close}});
     return all;
 }
 

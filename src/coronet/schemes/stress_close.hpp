@@ -12,92 +12,102 @@
 namespace coronet {
 
 /// sph: the plain gradient; the force sweep reads Stress.
-template <int D>
 struct PlainClose {
-    View<D> view;
     Newtonian liquid;
 
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        view.template at<DensityRate>()[i] = -view.template at<Density>()[i] * trace(sums.v_slope);
-        view.template set<Stress>(i, liquid.stress(view.template at<Pressure>()[i], sums.v_slope));
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        at.template set<DensityRate>(-at.template get<Density>() * trace(sums.v_slope));
+        at.template set<Stress>(liquid.stress(at.template get<Pressure>(), sums.v_slope));
     }
 };
 
-/// The stress in the form that the corrected force sweep reads of neighbours: V sigma L and V sigma q.
-template <int D>
-CORONET_HD void set_corrected_stress(View<D> const& view, std::size_t i, Matrix<double, D> const& T,
-                                     Vector<double, D> const& s) {
-    double const V = view.template at<Volume>()[i];
-    view.template set<CorrectedStress>(i, V * T);
-    view.template set<StressOffset>(i, V * s);
+/// Ends a gradient in the form that the corrected force sweep reads of neighbours, V sigma L and V sigma q.
+template <class At, class R, int D>
+CORONET_HD void set_corrected_stress(At const& at, Matrix<R, D> const& T, Vector<R, D> const& s) {
+    R const V = at.template get<Volume>();
+    at.template set<CorrectedStress>(V * T);
+    at.template set<StressOffset>(V * s);
 }
-/// What particle i adds to its own acceleration there, from its sums over the neighbours.
-template <int D, class Sums>
-CORONET_HD void set_own_acceleration(View<D> const& view, std::size_t i, Matrix<double, D> const& T,
-                                     Vector<double, D> const& s, Sums const& sums) {
-    double const rho = view.template at<Density>()[i];
-    view.template set<OwnAcceleration>(i, CorrectedStressDivergence::own_part(T, s, rho, sums.G0, sums.W0));
+/// What a particle adds to its own acceleration there, from its sums over the neighbours.
+template <class At, class R, int D, class Sums>
+CORONET_HD void set_own_acceleration(At const& at, Matrix<R, D> const& T, Vector<R, D> const& s, Sums const& sums) {
+    at.template set<OwnAcceleration>(
+        CorrectedStressDivergence::own_part(T, s, at.template get<Density>(), sums.G0, sums.W0));
 }
 
 /// fpm, and the exterior of cph: the corrected gradient.
-template <int D>
 struct CorrectedClose {
-    View<D> view;
     Newtonian liquid;
     double kernel_at_zero;
 
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        GradientCorrection<D> const correction(sums.W0 + view.template at<Volume>()[i] * kernel_at_zero, sums.W1,
-                                               sums.G0, sums.G1);
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        using R = typename At::Number;
+        constexpr int D = At::dimension;
+        GradientCorrection<R, D> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
+                                                  sums.G0, sums.G1);
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
-        auto const sigma = liquid.stress(view.template at<Pressure>()[i], grad_v);
-        view.template at<DensityRate>()[i] = -view.template at<Density>()[i] * trace(grad_v);
-        view.template set<Stress>(i, sigma);
-        auto const T = product<double, D>(sigma, correction.L);
+        auto const sigma = liquid.stress(at.template get<Pressure>(), grad_v);
+        at.template set<DensityRate>(-at.template get<Density>() * trace(grad_v));
+        at.template set<Stress>(sigma);
+        auto const T = product<R, D>(sigma, correction.L);
         auto const s = sigma * correction.q;
-        set_corrected_stress(view, i, T, s);
-        set_own_acceleration(view, i, T, s, sums);
-        view.template at<FellBack>()[i] = correction.fell_back;
+        set_corrected_stress(at, T, s);
+        set_own_acceleration(at, T, s, sums);
+        at.template set<FellBack>(correction.fell_back);
     }
 };
 
 /// The interior of cph near its exterior: the plain gradient, L = I and q = 0, in the form of the corrected one, too;
-/// `borders` says whether particle i will use that form itself, and its law has summed what that takes.
-template <int D, bool borders>
+/// `borders` says whether a particle will use that form itself, and its law has summed what that takes.
+template <bool borders>
 struct NearClose {
-    View<D> view;
-    Newtonian liquid;
+    PlainClose plain;
 
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        PlainClose<D>{view, liquid}(i, sums);
-        auto const T = product<double, D>(view.template get<Stress>(i), identity<double, D>());
-        set_corrected_stress(view, i, T, {});
-        if constexpr (borders) set_own_acceleration(view, i, T, {}, sums);
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        using R = typename At::Number;
+        plain(at, sums);
+        auto const sigma = at.template get<Stress>();
+        constexpr int D = At::dimension;
+        auto const T = product<R, D>(sigma, identity<R, D>());
+        Vector<R, D> const s{};
+        set_corrected_stress(at, T, s);
+        if constexpr (borders) set_own_acceleration(at, T, s, sums);
     }
 };
 
-/// How the force sweep ends: stress forces in the corrected form lack what i adds itself.
+/// How the force sweep ends: stress forces in the corrected form lack what a particle adds itself.
 template <int D>
 struct PlainForceClose {
-    View<D> view;
     Vector<double, D> gravity;
 
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        view.template set<Acceleration>(i, sums.dv + gravity);
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        at.template set<Acceleration>(sums.dv + numbers<typename At::Number>(gravity));
     }
 };
 template <int D>
 struct CorrectedForceClose {
-    View<D> view;
     Vector<double, D> gravity;
 
-    template <class Sums>
-    CORONET_HD void operator()(std::size_t i, Sums const& sums) const {
-        view.template set<Acceleration>(i, sums.dv + view.template get<OwnAcceleration>(i) + gravity);
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        at.template set<Acceleration>(sums.dv + at.template get<OwnAcceleration>() +
+                                      numbers<typename At::Number>(gravity));
+    }
+};
+
+/// How the one sweep of plain SPH ends.
+template <int D>
+struct PlainRatesClose {
+    Vector<double, D> gravity;
+
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        at.template set<Acceleration>(sums.dv + numbers<typename At::Number>(gravity));
+        at.template set<DensityRate>(sums.drho);
     }
 };
 

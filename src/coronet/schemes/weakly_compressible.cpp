@@ -183,17 +183,15 @@ void WeaklyCompressible<D>::update_state() {
 template <int D>
 void WeaklyCompressible<D>::gradients_and_stress() {
     auto const view = particles_.view();
-    CorrectedClose<D> const corrected{view, settings_.liquid, settings_.kernel.at_zero()};
+    CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero()};
+    PlainClose const plain{settings_.liquid};
     switch (settings_.gradient) {
-        case Gradient::sph:
-            sweep_parts(Part{neighbours_.all(), PlainGradients{}, PlainClose<D>{view, settings_.liquid}});
-            return;
+        case Gradient::sph: sweep_parts(Part{neighbours_.all(), PlainGradients{}, plain}); return;
         case Gradient::fpm: sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected}); break;
         case Gradient::cph:
             sweep_parts(Part{exterior_, CorrectedGradients{}, corrected},
-                        Part{border_, PlainGradientsAndSums{}, NearClose<D, true>{view, settings_.liquid}},
-                        Part{near_, PlainGradients{}, NearClose<D, false>{view, settings_.liquid}},
-                        Part{deep_, PlainGradients{}, PlainClose<D>{view, settings_.liquid}});
+                        Part{border_, PlainGradientsAndSums{}, NearClose<true>{plain}},
+                        Part{near_, PlainGradients{}, NearClose<false>{plain}}, Part{deep_, PlainGradients{}, plain});
             break;
     }
     counters_.singular_now = static_cast<std::int64_t>(
@@ -203,10 +201,8 @@ void WeaklyCompressible<D>::gradients_and_stress() {
 
 template <int D>
 void WeaklyCompressible<D>::forces() {
-    auto const view = particles_.view();
-    auto const g = settings_.gravity;
-    PlainForceClose<D> const plain_close{view, g};
-    CorrectedForceClose<D> const corrected_close{view, g};
+    PlainForceClose<D> const plain_close{settings_.gravity};
+    CorrectedForceClose<D> const corrected_close{settings_.gravity};
     auto const forces_of = [&](auto const& plain, auto const& corrected) {
         switch (settings_.gradient) {
             case Gradient::sph: return sweep_parts(Part{neighbours_.all(), plain, plain_close});
@@ -229,15 +225,9 @@ bool WeaklyCompressible<D>::one_sweep() const {
 
 template <int D>
 void WeaklyCompressible<D>::rates_in_one_sweep() {
-    auto const view = particles_.view();
-    auto const g = settings_.gravity;
+    PlainRatesClose<D> const close{settings_.gravity};
     MorrisViscosity const viscosity{settings_.liquid.viscosity};
-    auto const rates_of = [&](auto const& law) {
-        sweep_parts(Part{neighbours_.all(), law, [=](std::size_t i, auto const& sums) {
-                             view.template set<Acceleration>(i, sums.dv + g);
-                             view.template set<DensityRate>(i, sums.drho);
-                         }});
-    };
+    auto const rates_of = [&](auto const& law) { sweep_parts(Part{neighbours_.all(), law, close}); };
     if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
     else rates_of(PlainSweep{{}, viscosity, {}});
 }

@@ -68,12 +68,12 @@ void rates_on_device(typename WeaklyCompressible<D>::Settings const& settings, P
     auto const& view = fields.view();
     auto const& kernel = settings.kernel;
     if (settings.gradient == Gradient::sph) {
-        sweep_on_device(view, rows, n, kernel, PlainGradients{}, PlainClose<D>{view, settings.liquid});
-        sweep_on_device(view, rows, n, kernel, PlainForces{}, PlainForceClose<D>{view, settings.gravity});
+        sweep_on_device(view, rows, n, kernel, PlainGradients{}, PlainClose{settings.liquid});
+        sweep_on_device(view, rows, n, kernel, PlainForces{}, PlainForceClose<D>{settings.gravity});
     } else {
         sweep_on_device(view, rows, n, kernel, CorrectedGradients{},
-                        CorrectedClose<D>{view, settings.liquid, kernel.at_zero()});
-        sweep_on_device(view, rows, n, kernel, CorrectedForces{}, CorrectedForceClose<D>{view, settings.gravity});
+                        CorrectedClose{settings.liquid, kernel.at_zero()});
+        sweep_on_device(view, rows, n, kernel, CorrectedForces{}, CorrectedForceClose<D>{settings.gravity});
     }
     fields.template bring_back<DensityRate>();
     fields.template bring_back<Acceleration>();

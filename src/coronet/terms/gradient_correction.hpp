@@ -24,38 +24,37 @@ namespace coronet {
 template <int D>
 inline constexpr double largest_amplification = 1.25 * (1 << D);
 
-template <int D>
+template <class R, int D>
 struct GradientCorrection {
-    Matrix<double, D> L = identity<double, D>();
-    Vector<double, D> q = {};
-    bool fell_back = false;
+    Matrix<R, D> L;
+    Vector<R, D> q;
+    R fell_back;  ///< 1 where the gradient is the plain one, else 0
 
-    GradientCorrection() = default;
-
-    CORONET_HD GradientCorrection(double W0, Vector<double, D> const& W1, Vector<double, D> const& G0,
-                                  Symmetric<double, D> const& G1) {
-        Vector<double, D> const G0_over_W0 = (1 / W0) * G0;
-        Matrix<double, D> S;
+    /// The moments with i itself: it adds V_i W(0) to W0.
+    CORONET_HD GradientCorrection(R const& W0, Vector<R, D> const& W1, Vector<R, D> const& G0,
+                                  Symmetric<R, D> const& G1) {
+        Vector<R, D> const G0_over_W0 = (R(1) / W0) * G0;
+        Matrix<R, D> S;
         unrolled<D * D>([&](int ab) { S[ab] = G1(ab / D, ab % D) - G0_over_W0[ab / D] * W1[ab % D]; });
         auto const cofactors = adjugate(S);
-        double const det = determinant(S);
-        // |adj S| = |det S| |L|: no division before it is known to be safe. A NaN falls back, too.
+        R const det = determinant(S);
+        // |adj S| = |det S| |L|: compared before the division. A NaN falls back, too.
         constexpr double limit = largest_amplification<D>;
-        fell_back = !(norm2(cofactors) < limit * limit * D * det * det);
-        if (fell_back) return;
-        L = (1 / det) * cofactors;
-        q = L * G0_over_W0;
+        auto const sound = norm2(cofactors) < R(limit * limit * D) * det * det;
+        fell_back = select(sound, R(0), R(1));
+        R const per_det = R(1) / det;
+        unrolled<D * D>([&](int ab) { L[ab] = select(sound, per_det * cofactors[ab], R(ab / D == ab % D ? 1 : 0)); });
+        Vector<R, D> const q_of_L = L * G0_over_W0;
+        unrolled<D>([&](int a) { q[a] = select(sound, q_of_L[a], R(0)); });
     }
 
     /// Gradient of a vector field from sum V (v_j - v_i) grad W and sum V (v_j - v_i) W: grad_v(a, b) = dv_a/dx_b.
-    CORONET_HD Matrix<double, D> gradient(Matrix<double, D> const& slope, Vector<double, D> const& jump) const {
-        return product<double, D>(slope, transpose(L)) - outer(jump, q);
+    CORONET_HD Matrix<R, D> gradient(Matrix<R, D> const& slope, Vector<R, D> const& jump) const {
+        return product<R, D>(slope, transpose(L)) - outer(jump, q);
     }
 
     /// Gradient of a scalar field from sum V (f_j - f_i) grad W and sum V (f_j - f_i) W.
-    CORONET_HD Vector<double, D> gradient(Vector<double, D> const& slope, double jump) const {
-        return L * slope - jump * q;
-    }
+    CORONET_HD Vector<R, D> gradient(Vector<R, D> const& slope, R const& jump) const { return L * slope - jump * q; }
 };
 
 }  // namespace coronet
