@@ -7,7 +7,7 @@ from pathlib import Path
 if not __package__:  # started by its path, as `coronet plot` does
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from coronet_plot import curves, drop, history, pictures, style
+from coronet_plot import curves, drop, history, pictures, rheology, style
 from coronet_plot.run import Mistake, Run
 
 # Every figure: its file, who draws it, and whether a run has what it shows. Curves stand first: where a frame
@@ -17,6 +17,7 @@ FIGURES = [
     ("centre_pressure.png", curves.centre_pressure, lambda run: run.has("exact_centre_pressure")),
     ("angular_momentum.png", curves.angular_momentum, lambda run: run.rotates),
     ("values.png", history.values, lambda run: run.value_probes),
+    ("flow_curve.png", rheology.flow_curve, lambda run: run.flow_curve),
     ("history.png", history.history, lambda run: run.has("kinetic_energy", "spacing_min")),
     ("patch_history.png", curves.corner_radius, lambda run: run.has("corner_radius")),
     ("particles.png", pictures.particles, lambda run: run.frames),

@@ -22,7 +22,9 @@ class Run:
         if missing:
             raise Mistake(f"{directory} is not the directory of a run: it has no {' and no '.join(missing)}.")
         self.case = read_case(self.directory / "case.toml")
-        self.series = read_series(self.directory / "series.csv")
+        self.series = read_table(self.directory / "series.csv", "time")
+        curve = self.directory / "flow_curve.csv"
+        self.flow_curve = read_table(curve, "shear_rate", "stress", "fit", "as_run") if curve.is_file() else None
         self.frames = read_frame_list(self.directory)
         self.failed = read_failure(self.directory / "summary.json")
 
@@ -91,7 +93,7 @@ def read_case(path):
     return case
 
 
-def read_series(path):
+def read_table(path, *needed):
     """Columns by name. The last row of a run that still goes on may be half written: it is left out."""
     with path.open(newline="") as file:
         header, *rows = list(csv.reader(file)) or [[]]
@@ -102,8 +104,9 @@ def read_series(path):
         table = numpy.array(whole, dtype=float)
     except ValueError as error:
         raise Mistake(f"{path} holds something that is not a number: {error}.") from None
-    if "time" not in header:
-        raise Mistake(f"{path} has no column 'time'.")
+    for column in needed:
+        if column not in header:
+            raise Mistake(f"{path} has no column '{column}'.")
     return dict(zip(header, table.T))
 
 

@@ -14,7 +14,7 @@ PYTHON = Path(__file__).resolve().parents[2] / "python"
 sys.path.insert(0, str(PYTHON))
 sys.dont_write_bytecode = True
 
-from coronet_plot import drop, history, pictures, style
+from coronet_plot import drop, history, pictures, rheology, style
 from coronet_plot.frame import Frame
 from coronet_plot.run import Run
 
@@ -140,6 +140,22 @@ class Plot(unittest.TestCase):
         panels = history.values([Run(runs[0])]).axes
         self.assertEqual([axes.get_ylabel() for axes in panels], ["pressure (kPa)", "density (kg/m³)"])
         self.assertEqual(panels[0].get_title(loc="left"), "inside, at (0, 0.1) mm")
+
+    def test_a_flow_curve_is_drawn_with_the_law_fitted_to_it(self):
+        run = write_run(self.folder / "run", "falling", FALLING, more='[fluid]\nrheology = "bingham"\n')
+        self.assertIsNone(Run(run).flow_curve)
+        (run / "flow_curve.csv").write_text("shear_rate,stress,fit,as_run\n10,12,12,12\n0.1,2.1,2.2,2.2\n")
+        stress, viscosity = rheology.flow_curve([Run(run)]).axes
+        measured, law = stress.lines
+        self.assertEqual(law.get_label(), "bingham")
+        self.assertEqual(list(law.get_xdata()), [0.1, 10])  # in order, whatever that of the table
+        self.assertEqual(list(measured.get_ydata()), [12, 2.1])
+        numpy.testing.assert_allclose(viscosity.lines[1].get_ydata(), [22, 1.2])
+        (run / "flow_curve.csv").write_text("shear_rate,stress,fit,as_run\n10,12,12,12\n0.1,2.1,2.2,1.9\n")
+        self.assertEqual(len(rheology.flow_curve([Run(run)]).axes[0].lines), 3)  # the law as run differs
+        self.assertIn("flow_curve.png", plot(run).stdout)
+        (run / "flow_curve.csv").write_text("shear_rate,stress\n10,12\n")
+        self.assert_complains(plot(run), "has no column 'fit'")
 
     def test_a_run_that_blows_up_does_not_flatten_what_was_before(self):
         energy = numpy.append(numpy.ones(98), [2e9, numpy.inf])

@@ -4,6 +4,7 @@
 // 130 interrupted).
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -38,11 +39,33 @@ void list_cases() {
     }
 }
 
+/// How well the law of a case fits its flow curve.
+void show_fit(Case const& c) {
+    FlowCurveFit const& fit = *c.flow_curve_fit;
+    auto const& rates = fit.curve.shear_rate;
+    auto const [slow, fast] = std::minmax_element(rates.begin(), rates.end());
+    fmt::print(
+        "{} beside {} points of {}, {:.4g} to {:.4g} 1/s: deviation {:.2g} % rms, at most {:.2g} % (at {:.4g} 1/s)\n",
+        c.fluid.rheology, rates.size(), c.fluid.flow_curve, *slow, *fast, 100 * fit.rms_deviation,
+        100 * std::fabs(fit.largest_deviation), fit.largest_at);
+    for (RheologyParameter const& parameter : rheology_parameters()) {
+        if (!parameter.physical || !parameter.used_by(fit.law.model)) continue;
+        auto const found = std::find_if(fit.fitted.begin(), fit.fitted.end(),
+                                        [&](auto const& fitted) { return fitted.what == &parameter; });
+        fmt::print("  {:<24} = {:.5g} {}", parameter.name, fit.law.*parameter.value,
+                   parameter.unit == "-" ? "" : parameter.unit + " ");
+        if (found == fit.fitted.end()) fmt::print("(as stated)\n");
+        else if (found->relative_error < 1) fmt::print("(fitted, +- {:.2g} %)\n", 100 * found->relative_error);
+        else fmt::print("(fitted, but the table does not determine it)\n");
+    }
+}
+
 void check(std::string const& name, std::vector<std::string> const& settings) {
     Case const c = load_case(name, settings);
     auto const particles = c.dimension == 2 ? fill<2>(c).size() : fill<3>(c).size();
     fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles,
                c.time.end);
+    if (c.flow_curve_fit) show_fit(c);
 }
 
 int run(std::string const& name, std::vector<std::string> const& settings, RunOptions options, int thread_count) {

@@ -2,13 +2,16 @@
 #pragma once
 
 // A case: plain data that say what to simulate. SI units, angles in degrees. Every member is a key of the case file,
-// described once in describe(), which reading, writing, checking and the reference page all share.
+// described once in describe(), which reading, writing, checking and the reference page all share; but for what comes
+// of the flow curve, if one is named.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "coronet/cases/keys.hpp"
+#include "coronet/materials/flow_curve.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 
 namespace coronet {
@@ -52,10 +55,10 @@ struct Case {
         std::string pressure = "0";
     } initial;
 
-    struct {
-        double density = 1000, viscosity = 0, sound_speed = 0;
-        std::string equation_of_state = "linear", rheology = "newtonian";
-        double tait_exponent = 7;
+    struct : Rheology {
+        std::string preset = "none", rheology, flow_curve, equation_of_state = "linear";
+        double temperature = 20, glycerol_mass_fraction = unset, density = unset, surface_tension = unset,
+               sound_speed = 0, tait_exponent = 7;
         std::vector<double> gravity;
         std::vector<std::string> body_force;
     } fluid;
@@ -78,6 +81,8 @@ struct Case {
     } output;
 
     std::vector<ProbeKeys> probes;
+
+    std::optional<FlowCurveFit> flow_curve_fit;
 };
 
 /// Shows every key of the case to the visitor, in the order of the file.

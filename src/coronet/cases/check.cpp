@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "coronet/cases/fill.hpp"
+#include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/series_columns.hpp"
@@ -139,7 +140,8 @@ void check_initial_state(Case const& c, Errors& errors) {
 
 void check_times(Case const& c, Errors& errors) {
     double const h = c.method.support * c.particles.spacing / 3, sound = h / c.fluid.sound_speed;
-    double const viscous = h * h * c.fluid.density / c.fluid.viscosity;  // infinite without viscosity
+    double const thickest = rheology_of(c).largest_viscosity();
+    double const viscous = h * h * c.fluid.density / thickest;  // infinite without viscosity
     if (c.time.step > std::min(sound, viscous)) {
         bool const by_sound = sound < viscous;
         double const limit = by_sound ? sound : viscous;
@@ -161,6 +163,28 @@ void check_times(Case const& c, Errors& errors) {
     check_interval("output.series_every", c.output.series_every, most_rows, "rows");
 }
 
+void check_rheology(Case const& c, Errors& errors) {
+    Rheology const law = rheology_of(c);
+    double const m = law.cross_exponent, contrast = law.zero_shear_viscosity / law.infinite_shear_viscosity;
+    double const most = std::pow((m + 1) / (m - 1), 2);
+    if (law.model == Rheology::Model::cross && m > 1 && contrast > most)
+        say(errors,
+            "fluid.cross_exponent = {} with zero_shear_viscosity {:.4g} times infinite_shear_viscosity lets the stress "
+            "fall as the shear rate rises, and such a flow is unstable: use an exponent of at most 1, or a ratio of at "
+            "most {:.4g}",
+            m, contrast, most);
+    if (law.model == Rheology::Model::carreau_yasuda && law.power_index > 1)
+        say(errors,
+            "fluid.power_index = {} lets the viscosity of carreau-yasuda grow without end: use at most 1; a liquid "
+            "that "
+            "thickens has a zero_shear_viscosity below its infinite_shear_viscosity",
+            law.power_index);
+    bool const bounded = law.model == Rheology::Model::power_law || law.model == Rheology::Model::herschel_bulkley;
+    if (bounded && law.shear_rate_min >= law.shear_rate_max)
+        say(errors, "fluid.shear_rate_min = {} 1/s must be below fluid.shear_rate_max = {} 1/s", law.shear_rate_min,
+            law.shear_rate_max);
+}
+
 template <int D>
 void check(Case const& c, Errors& errors) {
     if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
@@ -174,6 +198,7 @@ void check(Case const& c, Errors& errors) {
             "{} times spacing {} m): use 'double'",
             least_mixed_radius, 1 / least_mixed_radius, radius, c.method.support, c.particles.spacing);
     check_names(c, errors);
+    check_rheology(c, errors);
     check_times(c, errors);
     check_probes<D>(c, errors);
     Errors impossible;  // to fill with particles

@@ -14,6 +14,7 @@
 
 #include "coronet/cases/builtin.hpp"
 #include "coronet/cases/check.hpp"
+#include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/nearest.hpp"
 #include "coronet/core/error.hpp"
@@ -362,6 +363,7 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
     Case c;
     describe(reader, c);
     reader.finish();
+    if (!c.fluid.flow_curve.empty()) fit_rheology(c, file);
     check_physics(c, file);
     return c;
 }

@@ -3,6 +3,7 @@
 // The one list of keys: order, meaning, unit, range and default of everything a case file may say.
 
 #include "coronet/cases/case.hpp"
+#include "coronet/cases/fluid.hpp"
 #include "coronet/kernels/kernel.hpp"
 
 namespace coronet {
@@ -99,7 +100,6 @@ void describe(Keys& keys, Case& c) {
                  c.dimension);
     int const D = c.dimension;
     std::vector<std::string> const none(static_cast<std::size_t>(D), "0");
-    std::vector<double> const zero(static_cast<std::size_t>(D), 0.0);
 
     keys.named_numbers({.path = "parameters", .meaning = "numbers that formulas may use by name"}, c.parameters);
 
@@ -137,32 +137,7 @@ void describe(Keys& keys, Case& c) {
     keys.formula({.path = "initial.pressure", .unit = "Pa", .meaning = "pressure at t = 0; density follows from it"},
                  c.initial.pressure);
 
-    auto& f = c.fluid;
-    keys.number({.path = "fluid.density",
-                 .unit = "kg/m^3",
-                 .meaning = "density at zero pressure",
-                 .above = 0,
-                 .required = true},
-                f.density);
-    keys.choice({.path = "fluid.rheology", .meaning = "how stress follows from shear rate"}, f.rheology, {"newtonian"});
-    keys.number({.path = "fluid.viscosity", .unit = "Pa s", .meaning = "dynamic viscosity", .at_least = 0},
-                f.viscosity);
-    keys.number({.path = "fluid.sound_speed",
-                 .unit = "m/s",
-                 .meaning = "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %",
-                 .above = 0,
-                 .required = true},
-                f.sound_speed);
-    keys.choice(
-        {.path = "fluid.equation_of_state", .meaning = "linear: c^2 (rho - rho0); tait: rho0 c^2/n ((rho/rho0)^n - 1)"},
-        f.equation_of_state, {"linear", "tait"});
-    keys.number(
-        {.path = "fluid.tait_exponent", .unit = "-", .meaning = "n of the Tait equation", .at_least = 1, .at_most = 20},
-        f.tait_exponent);
-    if (f.gravity.empty()) f.gravity = zero;
-    keys.numbers({.path = "fluid.gravity", .unit = "m/s^2", .meaning = "gravitational acceleration"}, f.gravity, D);
-    if (f.body_force.empty()) f.body_force = none;
-    keys.formulas({.path = "fluid.body_force", .unit = "m/s^2", .meaning = "further force per mass"}, f.body_force, D);
+    describe_fluid(keys, c);
 
     auto& m = c.method;
     keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme,

@@ -98,7 +98,8 @@ public:
 
     bool everything() const override { return true; }
     void number(Key const& key, double& value) override {
-        row(key, "number", value == 0 && key.above == 0 ? "" : fmt::format("{}", value));  // 0 is: derived
+        bool const derived = std::isnan(value) || (value == 0 && key.above == 0);
+        row(key, "number", derived ? "" : fmt::format("{}", value));
     }
     void integer(Key const& key, int& value) override { row(key, "whole number", fmt::format("{}", value)); }
     void text(Key const& key, std::string& value) override { row(key, "string", value); }

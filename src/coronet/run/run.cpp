@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "coronet/cases/fluid.hpp"
 #include "coronet/cases/read.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
@@ -28,7 +29,7 @@ void prepare(fs::path const& directory, bool overwrite) {
                                     directory.string()));
     std::error_code failed;
     for (char const* const name :
-         {"case.toml", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
+         {"case.toml", "flow_curve.csv", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
         if (holds_run) fs::remove_all(directory / name, failed);
     fs::create_directories(directory / "frames", failed);
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
@@ -103,7 +104,12 @@ RunStatus run(Case const& c, RunOptions const& options) {
 
 RunStatus run_case(Case const& c, RunOptions const& options) {
     prepare(options.directory, options.overwrite);
-    write_whole(options.directory / "case.toml", write_case(c));
+    Case as_run = c;
+    if (c.flow_curve_fit) {
+        as_run.fluid.flow_curve = "flow_curve.csv";
+        write_whole(options.directory / as_run.fluid.flow_curve, write_flow_curve(*c.flow_curve_fit));
+    }
+    write_whole(options.directory / "case.toml", write_case(as_run));
     return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);
 }
 
