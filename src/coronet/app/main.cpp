@@ -45,7 +45,7 @@ void show_fit(Case const& c) {
     auto const& rates = fit.curve.shear_rate;
     auto const [slow, fast] = std::minmax_element(rates.begin(), rates.end());
     fmt::print(
-        "{} beside {} points of {}, {:.4g} to {:.4g} 1/s: deviation {:.2g} % rms, at most {:.2g} % (at {:.4g} 1/s)\n",
+        "{} beside {} points of {}, {:.4g} to {:.4g} 1/s: deviation {:.3g} % rms, at most {:.3g} % (at {:.4g} 1/s)\n",
         c.fluid.rheology, rates.size(), c.fluid.flow_curve, *slow, *fast, 100 * fit.rms_deviation,
         100 * std::fabs(fit.largest_deviation), fit.largest_at);
     for (RheologyParameter const& parameter : rheology_parameters()) {
