@@ -23,7 +23,10 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(Volume, V, scalar, "m^3", "volume m/rho (an area in 2D)")                                              \
     X(SoundSpeed, c, scalar, "m/s", "sound speed")                                                           \
     X(Pressure, p, scalar, "Pa", "pressure")                                                                 \
-    X(Surface, surface, scalar, "-", "1 for a particle of the initial free surface, else 0")                 \
+    X(Surface, surface, scalar, "-", "1 for a particle of the free surface, else 0")                         \
+    X(SurfaceNormal, n, vector, "-", "outward unit normal of the free surface, 0 elsewhere")                 \
+    X(Curvature, kappa, scalar, "1/m", "curvature of the surface, in 3D of both ways; > 0 on a drop")        \
+    X(SurfaceFitted, fitted, scalar, "-", "1 where normal and curvature are fitted, else 0")                 \
     X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support")   \
     X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                       \
     X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                    \
