@@ -43,7 +43,7 @@ double difference(Gradient gradient) {
     s.kernel = make_kernel("wendland-c2", D, 2.6 / across);
     s.skin = 0.3 / across;
     s.gradient = gradient;
-    s.liquid.viscosity = 0.1;
+    s.liquid.rheology.viscosity = 0.1;
     WeaklyCompressible<D> host(s, block<D>(across));
     host.evaluate(0);
 

@@ -92,7 +92,7 @@ TEST(TurnedFrame, TurnsTheAccelerations) {
         WeaklyCompressible<2>::Settings s;
         s.kernel = make_kernel("quintic-spline", 2, 0.3);
         s.skin = 0.02;
-        s.liquid.viscosity = 0.5;
+        s.liquid.rheology.viscosity = 0.5;
         s.equation_of_state = {EquationOfState::Kind::linear, 1, 20, 7};
         WeaklyCompressible<2> turned_scheme(s, std::move(particles));
         turned_scheme.evaluate(0);

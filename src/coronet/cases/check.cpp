@@ -190,6 +190,9 @@ void check(Case const& c, Errors& errors) {
     if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
         say(errors, "method.viscous_force = 'morris' goes with method.gradient = 'sph' only, not '{}': use 'stress'",
             c.method.gradient);
+    if (c.method.viscous_force == "morris" && c.fluid.rheology != "newtonian")
+        say(errors, "method.viscous_force = 'morris' goes with fluid.rheology = 'newtonian' only, not '{}': use 'stress'",
+            c.fluid.rheology);
     double const radius = c.method.support * c.particles.spacing;
     if (c.method.precision == "mixed" && (radius < least_mixed_radius || radius > 1 / least_mixed_radius))
         say(errors,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/schemes/weakly_compressible.hpp"
 
@@ -83,7 +84,7 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
         c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity : PositionUpdate::midpoint_velocity;
     s.courant = c.time.courant;
     s.equation_of_state = equation_of_state(c);
-    s.liquid.viscosity = c.fluid.viscosity;
+    s.liquid.rheology = rheology_of(c);
     s.pair_terms = c.method.pair_terms;
     for (int k = 0; k < D; ++k) s.gravity[k] = c.fluid.gravity[k];
     s.body_force = body_force<D>(c);

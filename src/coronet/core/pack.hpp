@@ -87,6 +87,12 @@ Pack<T> select(typename Pack<T>::Mask mask, Pack<T> const& a, Pack<T> const& b) 
     return Pack<T>(mask ? a.lanes : b.lanes);
 }
 
+template <class T, class Function>
+Pack<T> lane_by_lane(Pack<T> a, Function const& f) {
+    for (int lane = 0; lane < pack_size<T>; ++lane) a.lanes[lane] = static_cast<T>(f(a[lane]));
+    return a;
+}
+
 #if CORONET_SIMD && defined(__AVX512F__)
 
 inline Pack<double> largest(Pack<double> const& a, Pack<double> const& b) {

@@ -28,6 +28,11 @@ CORONET_HD inline double largest(double a, double b) { return a > b ? a : b; }
 CORONET_HD inline double smallest(double a, double b) { return a < b ? a : b; }
 CORONET_HD inline double sum(double a) { return a; }
 CORONET_HD inline double square_root(double a) { return std::sqrt(a); }
+/// f of a number; of every lane of a pack, for what has no arithmetic of packs.
+template <class Function>
+CORONET_HD double lane_by_lane(double a, Function const& f) {
+    return f(a);
+}
 CORONET_HD inline double inverse_root(double a) { return 1 / std::sqrt(a); }
 
 /// Squares below that, relative to those of usual size, are taken for it, so that no number type runs out of range.

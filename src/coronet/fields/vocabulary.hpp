@@ -28,6 +28,7 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(Curvature, kappa, scalar, "1/m", "curvature of the surface, in 3D of both ways; > 0 on a drop")        \
     X(SurfaceFitted, fitted, scalar, "-", "1 where normal and curvature are fitted, else 0")                 \
     X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support")   \
+    X(Viscosity, mu, scalar, "Pa s", "dynamic viscosity")                                                    \
     X(Acceleration, dv, vector, "m/s^2", "rate of change of velocity")                                       \
     X(DensityRate, drho, scalar, "kg/m^3/s", "rate of change of density")                                    \
     X(Stress, sigma, symmetric, "Pa", "total stress -p I + tau")                                             \

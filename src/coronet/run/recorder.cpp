@@ -21,9 +21,9 @@ template <int D>
 std::vector<FrameField> frame_fields(Particles<D> const& particles) {
     constexpr std::array shown{Velocity::number, Acceleration::number, Density::number, Pressure::number,
                                Mass::number,     Volume::number,       Stress::number,  Surface::number,
-                               Exterior::number, FellBack::number};
+                               Exterior::number, FellBack::number,    Viscosity::number};
     constexpr std::array names{"velocity", "acceleration", "density", "pressure", "mass",
-                               "volume",   "stress",       "surface", "exterior", "singular_matrix"};
+                               "volume",   "stress",       "surface", "exterior", "singular_matrix", "viscosity"};
     std::size_t const n = particles.owned();
     auto const view = particles.view();
     std::vector<FrameField> fields;

@@ -5,20 +5,28 @@
 // form that the force sweep reads. One close for each gradient; the same code on the host and on a GPU.
 
 #include "coronet/fields/particles.hpp"
-#include "coronet/materials/newtonian.hpp"
+#include "coronet/materials/liquid.hpp"
 #include "coronet/terms/gradient_correction.hpp"
 #include "coronet/terms/stress_divergence.hpp"
 
 namespace coronet {
 
+/// sigma [Pa]; where viscosity differs from particle to particle, it is kept.
+template <class At, class R, int D>
+CORONET_HD Symmetric<R, D> stress(At const& at, Liquid const& liquid, R const& p, Matrix<R, D> const& grad_v) {
+    R const mu = liquid.viscosity(grad_v);
+    if (!liquid.is_newtonian()) at.template set<Viscosity>(mu);
+    return Newtonian<R>{mu}.stress(p, grad_v);
+}
+
 /// sph: the plain gradient; the force sweep reads Stress.
 struct PlainClose {
-    Newtonian liquid;
+    Liquid liquid;
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
         at.template set<DensityRate>(-at.template get<Density>() * trace(sums.v_slope));
-        at.template set<Stress>(liquid.stress(at.template get<Pressure>(), sums.v_slope));
+        at.template set<Stress>(stress(at, liquid, at.template get<Pressure>(), sums.v_slope));
     }
 };
 
@@ -38,7 +46,7 @@ CORONET_HD void set_own_acceleration(At const& at, Matrix<R, D> const& T, Vector
 
 /// fpm, and the exterior of cph: the corrected gradient.
 struct CorrectedClose {
-    Newtonian liquid;
+    Liquid liquid;
     double kernel_at_zero;
 
     template <class At, class Sums>
@@ -48,7 +56,7 @@ struct CorrectedClose {
         GradientCorrection<R, D> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
                                                   sums.G0, sums.G1);
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
-        auto const sigma = liquid.stress(at.template get<Pressure>(), grad_v);
+        auto const sigma = stress(at, liquid, at.template get<Pressure>(), grad_v);
         at.template set<DensityRate>(-at.template get<Density>() * trace(grad_v));
         at.template set<Stress>(sigma);
         auto const T = product<R, D>(sigma, correction.L);

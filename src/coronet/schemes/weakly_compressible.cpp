@@ -30,6 +30,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     if (!one_sweep()) particles_.allocate(Fields<Stress>{});
+    if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
     if (settings_.gradient != Gradient::sph)
         particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
@@ -220,13 +221,13 @@ void WeaklyCompressible<D>::forces() {
 template <int D>
 bool WeaklyCompressible<D>::one_sweep() const {
     return settings_.gradient == Gradient::sph &&
-           (settings_.viscous_force == ViscousForce::morris || settings_.liquid.viscosity == 0);
+           (settings_.viscous_force == ViscousForce::morris || settings_.liquid.is_inviscid());
 }
 
 template <int D>
 void WeaklyCompressible<D>::rates_in_one_sweep() {
     PlainRatesClose<D> const close{settings_.gravity};
-    MorrisViscosity const viscosity{settings_.liquid.viscosity};
+    MorrisViscosity const viscosity{settings_.liquid.rheology.viscosity};
     auto const rates_of = [&](auto const& law) { sweep_parts(Part{neighbours_.all(), law, close}); };
     if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
     else rates_of(PlainSweep{{}, viscosity, {}});
@@ -238,17 +239,19 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
     std::size_t const n = particles_.owned();
     double const h = settings_.kernel.support / 3;
     struct Largest {
-        double c, a2;
+        double c, a2, mu;
     };
-    auto const [c, a2] = fold(
-        n, Largest{0, 0},
+    bool const newtonian = settings_.liquid.is_newtonian();
+    auto const [c, a2, mu] = fold(
+        n, Largest{0, 0, newtonian ? settings_.liquid.rheology.viscosity : 0},
         [&](std::size_t i) {
-            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i))};
+            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i)),
+                           newtonian ? 0 : view.template at<Viscosity>()[i]};
         },
         [](Largest const& a, Largest const& b) {
-            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2)};
+            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2), std::max(a.mu, b.mu)};
         });
-    double const nu = settings_.liquid.viscosity / settings_.equation_of_state.rho0;
+    double const nu = mu / settings_.equation_of_state.rho0;
     constexpr double never = std::numeric_limits<double>::infinity();
 
     // Fang et al. (2009) Eqs 90, 91, 92 with safe factors: c is the speed of sound, a the largest force per mass.

@@ -4,7 +4,7 @@
 // The weakly compressible scheme of Fang, Parriaux, Rentschler and Ancey, Appl. Numer. Math. 59 (2009) 251:
 //     drho/dt = -rho div v        (60)
 //     dv/dt   = (1/rho) div sigma (61), the dual of (60), plus gravity, body force and the case's pair terms
-//     p       = p(rho),  sigma = -p I + 2 eta d  (8, 5, 6, 62)
+//     p       = p(rho),  sigma = -p I + 2 mu d   (8, 5, 6, 62), mu by the rheology
 // with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
 // In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
 // half.
@@ -13,7 +13,7 @@
 
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/materials/equation_of_state.hpp"
-#include "coronet/materials/newtonian.hpp"
+#include "coronet/materials/liquid.hpp"
 #include "coronet/neighbours/neighbours.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
@@ -45,7 +45,7 @@ public:
         PositionUpdate position_update = PositionUpdate::mean_velocity;
         double courant = 0.25;  ///< safe factor on h/c
         EquationOfState equation_of_state;
-        Newtonian liquid;
+        Liquid liquid;
         PairTerms pair_terms;
         Vector<double, D> gravity = {};  ///< [m/s^2]
         /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
