@@ -104,16 +104,13 @@ class ARun(CommandLine):
             'name = "measured"\ndimension = 2\nshapes = [{ kind = "disc", radius = 1.0 }]\nparticles.spacing = 0.2\n'
             'fluid = { density = 1000.0, sound_speed = 10.0, flow_curve = "table.csv" }\ntime.end = 1e-3\n')
         said = self.coronet("check", "case.toml").stdout
-        self.assertIn("newtonian beside 3 points of table.csv, 1 to 4 1/s: deviation 0.817 % rms, at most 1.01 % (at 4 1/s)",
-                      said)
+        self.assertIn("3 points of table.csv, 1 to 4 1/s: deviation 0.817 % rms, at most 1.01 % (at 4 1/s)", said)
         self.assertRegex(said, r"viscosity += 1.9999 Pa s \(fitted, \+- 0\.58 %\)")
         run = self.run_case("run", ["case.toml", "--threads", "1"])
-        self.assertEqual((run / "flow_curve.csv").read_text().splitlines()[0], "shear_rate,stress,fit,as_run")
         (self.folder / "table.csv").unlink()
         again = self.run_case("again", [run / "case.toml", "--threads", "1"])
         for file in ("case.toml", "flow_curve.csv", "series.csv"):
             self.assertEqual((again / file).read_bytes(), (run / file).read_bytes())
-        self.assertIn("(as stated)", self.coronet("check", run / "case.toml").stdout)
 
     def test_writes_the_series_that_is_promised(self):
         rows = read_series(self.run_case("run"))
