@@ -26,7 +26,8 @@ template <class Work>
 void for_blocks(std::size_t blocks, Work const& work) {
     std::exception_ptr failure;
     deal_blocks(blocks);
-#pragma omp parallel for schedule(runtime)
+    // A single block is no work for several threads: waking them takes longer than many a small loop.
+#pragma omp parallel for schedule(runtime) if (blocks > 1)
     for (std::size_t block = 0; block < blocks; ++block) {
         try {
             work(block);

@@ -125,6 +125,20 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
     return diagonal_;
 }
 
+/// p^T A p = sum_i m_i |dv_i(p)|^2, and the force of a smooth p is that of grad p and of the local value.
+template <int D>
+SmoothEnergy<D> ConsistentPressure<D>::smooth_energy() {
+    auto const view = particles_->view();
+    std::size_t const n = particles_->size();
+    SmoothEnergy<D> energy{std::vector<double>(n), std::vector<Vector<double, D>>(n), std::vector<double>(n)};
+    force(std::vector<double>(n, 1.0), [&](std::size_t i, Vector<double, D> const& dv) {
+        double const rho = view.template at<Density>()[i];
+        energy.a[i] = view.template at<Volume>()[i] / rho;
+        energy.w[i] = -rho * dv;
+    });
+    return energy;
+}
+
 template class ConsistentPressure<2>;
 template class ConsistentPressure<3>;
 

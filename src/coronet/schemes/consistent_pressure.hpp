@@ -29,6 +29,7 @@ public:
     void source(double step, std::span<double> b) override;
     void apply(std::span<double const> p, std::span<double> Ap) override;
     std::span<double const> diagonal() override;
+    SmoothEnergy<D> smooth_energy() override;
     void accelerate(std::span<double const> p) override;
 
     /// Particles whose corrected gradient fell back to the plain one at the last set_up.

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/solvers/grid_multigrid.hpp"
 
 namespace coronet {
 
@@ -27,6 +28,8 @@ public:
     virtual void apply(std::span<double const> p, std::span<double> Ap) = 0;
     /// The diagonal of A.
     virtual std::span<double const> diagonal() = 0;
+    /// What A does to smooth pressures, for a multigrid: a = V/rho.
+    virtual SmoothEnergy<D> smooth_energy() = 0;
     /// Sets the field Acceleration to that of the pressure p [Pa].
     virtual void accelerate(std::span<double const> p) = 0;
 };

@@ -35,7 +35,7 @@ class ConjugateGradients {
 public:
     /// Improves x until |b - A x| <= tolerance |b|. Failing to is no error here: the caller knows what was solved for.
     template <class Operator, class Preconditioner>
-    Solved solve(Operator const& A, Preconditioner const& precondition, std::span<double const> b, std::span<double> x,
+    Solved solve(Operator&& A, Preconditioner&& precondition, std::span<double const> b, std::span<double> x,
                  SolveLimits const& limits = {}) {
         std::size_t const n = b.size();
         for (auto* v : {&r_, &z_, &p_, &Ap_}) v->resize(n);
