@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coronet/materials/equation_of_state.hpp"
-#include "coronet/materials/liquid.hpp"
+#include "coronet/materials/generalised_newtonian.hpp"
 
 namespace {
 

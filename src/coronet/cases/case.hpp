@@ -68,7 +68,17 @@ struct Case {
                     kernel = "quintic-spline", precision = "double";
         double support = 3.9, skin = 0;
         PairTerms pair_terms;
+        std::string pressure_operator = "consistent", pressure_kernel, preconditioner = "multigrid";
+        double tolerance = 1e-6;
+        int most_iterations = 1000;
+        bool lattice_diagonal = false;
     } method;
+
+    struct {
+        std::string pressure = "mirrored", fit_weights = "compact";
+        double coverage_radius = 1.2, fit_width = 2.5;
+        bool remove_mean_force = false;
+    } surface;
 
     struct {
         double end = 0, step = 0, courant = 0.25;

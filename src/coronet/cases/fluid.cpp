@@ -97,9 +97,10 @@ void describe_fluid(Keys& keys, Case& c) {
     describe_rheology(keys, c, preset.rheology);
     keys.number({.path = "fluid.sound_speed",
                  .unit = "m/s",
-                 .meaning = "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %",
+                 .meaning = "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %; "
+                            "an incompressible one needs it for artificial viscosity alone",
                  .above = 0,
-                 .required = true},
+                 .required = c.method.scheme == "weakly-compressible" || any_active(c.method.pair_terms)},
                 f.sound_speed);
     keys.choice(
         {.path = "fluid.equation_of_state", .meaning = "linear: c^2 (rho - rho0); tait: rho0 c^2/n ((rho/rho0)^n - 1)"},

@@ -90,6 +90,60 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     }
 }
 
+void describe_projection(Keys& keys, Case& c) {
+    auto& m = c.method;
+    keys.choice({.path = "method.pressure_operator",
+                 .meaning = "consistent: force and divergence are each other's transpose, an exact projection; thesis: "
+                            "Lobo (2011), an approximate one"},
+                m.pressure_operator, {"consistent", "thesis"});
+    auto const names = kernel_names();
+    if (m.pressure_kernel.empty()) m.pressure_kernel = m.kernel;
+    keys.choice({.path = "method.pressure_kernel",
+                 .meaning = "of the pressure and the divergence; by default that of everything else"},
+                m.pressure_kernel, {names.begin(), names.end()});
+    keys.choice({.path = "method.preconditioner", .meaning = "of the conjugate gradients that solve for the pressure"},
+                m.preconditioner, {"jacobi", "multigrid"});
+    keys.number({.path = "method.tolerance",
+                 .unit = "-",
+                 .meaning = "of the solve: the residual over the right-hand side",
+                 .above = 0,
+                 .at_most = 0.1},
+                m.tolerance);
+    keys.integer(
+        {.path = "method.most_iterations", .unit = "-", .meaning = "a solve that takes more has failed", .at_least = 1},
+        m.most_iterations);
+    if (!keys.everything() && m.pressure_operator != "thesis") return;
+    keys.flag({.path = "method.lattice_diagonal",
+               .meaning = "of the thesis's matrix: no diagonal less than in a lattice, which holds the constant"},
+              m.lattice_diagonal);
+    keys.choice({.path = "surface.pressure",
+                 .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
+                            "surface half a spacing outside of them"},
+                c.surface.pressure, {"free", "zero", "mirrored"});
+}
+
+void describe_surface(Keys& keys, Case& c) {
+    auto& s = c.surface;
+    keys.number({.path = "surface.coverage_radius",
+                 .unit = "spacings",
+                 .meaning = "a particle is of the surface if its circle of this radius is not covered by others",
+                 .at_least = 0.75,
+                 .at_most = 5},
+                s.coverage_radius);
+    keys.number({.path = "surface.fit_width",
+                 .unit = "spacings",
+                 .meaning = "surface particles within it give normal and curvature",
+                 .at_least = 1.5,
+                 .at_most = 5},
+                s.fit_width);
+    keys.choice({.path = "surface.fit_weights",
+                 .meaning = "compact: falling to 0 at the width, restoring at every wavelength; none: as Lobo (2011)"},
+                s.fit_weights, {"compact", "none"});
+    keys.flag({.path = "surface.remove_mean_force",
+               .meaning = "take the mean of the tension off every surface particle: keeps momentum, not its moment"},
+              s.remove_mean_force);
+}
+
 }  // namespace
 
 void describe(Keys& keys, Case& c) {
@@ -137,11 +191,10 @@ void describe(Keys& keys, Case& c) {
     keys.formula({.path = "initial.pressure", .unit = "Pa", .meaning = "pressure at t = 0; density follows from it"},
                  c.initial.pressure);
 
-    describe_fluid(keys, c);
-
     auto& m = c.method;
     keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme,
-                {"weakly-compressible"});
+                {"weakly-compressible", "projection"});
+    bool const projects = keys.everything() || m.scheme == "projection";
     keys.choice({.path = "method.gradient",
                  .meaning = "sph: plain; fpm: exact for linear fields; cph: fpm near the free surface, sph inside"},
                 m.gradient, {"sph", "cph", "fpm"});
@@ -171,6 +224,9 @@ void describe(Keys& keys, Case& c) {
                     "everything that is kept in double"},
         m.precision, {"double", "mixed"});
     describe_terms(keys, m.pair_terms);
+    if (projects) describe_projection(keys, c);
+    describe_fluid(keys, c);
+    describe_surface(keys, c);
 
     keys.number({.path = "time.end", .unit = "s", .meaning = "simulated time", .above = 0, .required = true},
                 c.time.end);

@@ -6,6 +6,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/schemes/incompressible.hpp"
 #include "coronet/schemes/weakly_compressible.hpp"
 
 namespace coronet {
@@ -45,13 +46,14 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
     state.particles.allocate(Fields<Position, Velocity, Density, Mass, Surface>{});
     auto const view = state.particles.view();
     auto const eos = equation_of_state(c);
+    bool const incompressible = c.method.scheme == "projection";
     auto velocity = formulas(c.initial.velocity, c);
     Formula pressure(c.initial.pressure, c.parameters);
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         auto const& x = seeds.position[i];
         Vector<double, D> v;
         for (int k = 0; k < D; ++k) v[k] = velocity[k](x, 0);
-        double const rho = eos.density(pressure(x, 0));
+        double const rho = incompressible ? c.fluid.density : eos.density(pressure(x, 0));
         view.template set<Position>(i, x);
         view.template set<Velocity>(i, v);
         view.template set<Density>(i, rho);
@@ -69,8 +71,27 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
     return state;
 }
 
+namespace {
+
+SurfaceSettings surface_settings(Case const& c) {
+    double const dx = c.particles.spacing;
+    return {
+        .tension = c.fluid.surface_tension,
+        .spacing = dx,
+        .coverage_radius = c.surface.coverage_radius * dx,
+        .fit = {c.surface.fit_width * dx, c.surface.fit_weights == "compact" ? FitWeights::compact : FitWeights::none},
+        .remove_mean_force = c.surface.remove_mean_force};
+}
+
 template <int D>
-std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
+Vector<double, D> gravity(Case const& c) {
+    Vector<double, D> g;
+    for (int k = 0; k < D; ++k) g[k] = c.fluid.gravity[k];
+    return g;
+}
+
+template <int D>
+std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     typename WeaklyCompressible<D>::Settings s;
     double const dx = c.particles.spacing;
     s.kernel = make_kernel(c.method.kernel, D, c.method.support * dx);
@@ -86,9 +107,43 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
     s.equation_of_state = equation_of_state(c);
     s.liquid.rheology = rheology_of(c);
     s.pair_terms = c.method.pair_terms;
-    for (int k = 0; k < D; ++k) s.gravity[k] = c.fluid.gravity[k];
+    s.surface = surface_settings(c);
+    s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
     return std::make_unique<WeaklyCompressible<D>>(s, initial_state(c, fill<D>(c)).particles);
+}
+
+template <int D>
+std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
+    using Scheme = Incompressible<D>;
+    double const dx = c.particles.spacing, support = c.method.support * dx;
+    typename Scheme::Settings s;
+    s.kernel = make_kernel(c.method.kernel, D, support);
+    s.pressure_kernel = make_kernel(c.method.pressure_kernel, D, support);
+    s.skin = c.method.skin * dx;
+    s.liquid.rheology = rheology_of(c);
+    s.density = c.fluid.density;
+    s.sound_speed = c.fluid.sound_speed;
+    s.pair_terms = c.method.pair_terms;
+    s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;
+    s.thesis = {c.surface.pressure == "zero"       ? SurfacePressure::zero
+                : c.surface.pressure == "mirrored" ? SurfacePressure::mirrored
+                                                   : SurfacePressure::free,
+                dx, c.method.lattice_diagonal};
+    s.preconditioning = c.method.preconditioner == "jacobi" ? Preconditioning::jacobi : Preconditioning::multigrid;
+    s.solve = {c.method.tolerance, c.method.most_iterations};
+    s.surface = surface_settings(c);
+    s.courant = c.time.courant;
+    s.gravity = gravity<D>(c);
+    s.body_force = body_force<D>(c);
+    return std::make_unique<Scheme>(s, initial_state(c, fill<D>(c)).particles);
+}
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
+    return c.method.scheme == "projection" ? incompressible<D>(c) : weakly_compressible<D>(c);
 }
 
 template InitialState<2> initial_state(Case const&, Seeds<2> const&);

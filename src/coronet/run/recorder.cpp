@@ -55,7 +55,7 @@ Recorder<D>::Recorder(Case const& c, std::filesystem::path directory, Scheme<D>&
     auto columns = standard_columns(D);
     for (auto const& probe : probes_)
         for (std::string const& name : probe->columns()) columns.push_back(name);
-    columns.push_back("singular_matrices");
+    for (Reading const& reading : scheme.readings()) columns.push_back(reading.name);
     series_.emplace(directory_ / "series.csv", columns);
     if (case_.output.frames) frames_.emplace(directory_);
 }
@@ -79,7 +79,7 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
             auto const values = probe->sample(time, particles);
             row.insert(row.end(), values.begin(), values.end());
         }
-        row.push_back(static_cast<double>(scheme_.counters().singular_now));
+        for (Reading const& reading : scheme_.readings()) row.push_back(reading.value);
         series_->row(row);
     });
 }

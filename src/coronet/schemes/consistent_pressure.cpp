@@ -26,19 +26,21 @@ void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const&
             weight_[i] = sums.G0;
             view.template set<GradientMatrix>(i, identity<double, D>());
         };
-        sweep(particles, neighbours, kernel_, Precision::full, Part{neighbours.all(), PlainGradientsAndSums{}, close});
+        sweep(particles, neighbours, kernel_, Precision::full,
+              Part{neighbours.all(), PlainGradientsAndSums{}, OneByOne{close}});
         return;
     }
     double const kernel_at_zero = kernel_.at_zero();
     auto const close = [&](std::size_t i, auto const& sums) {
-        GradientCorrection<D> const correction(sums.W0 + view.template at<Volume>()[i] * kernel_at_zero, sums.W1,
-                                               sums.G0, sums.G1);
+        GradientCorrection<double, D> const correction(sums.W0 + view.template at<Volume>()[i] * kernel_at_zero,
+                                                       sums.W1, sums.G0, sums.G1);
         weight_[i] = correction.L * sums.G0 - sums.W0 * correction.q;
         view.template set<GradientMatrix>(i, correction.L);
         view.template set<GradientOffset>(i, correction.q);
         view.template at<FellBack>()[i] = correction.fell_back;
     };
-    sweep(particles, neighbours, kernel_, Precision::full, Part{neighbours.all(), CorrectedGradients{}, close});
+    sweep(particles, neighbours, kernel_, Precision::full,
+          Part{neighbours.all(), CorrectedGradients{}, OneByOne{close}});
     singular_matrices_ =
         static_cast<std::size_t>(sum_over(n, 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
 }
@@ -51,7 +53,7 @@ void ConsistentPressure<D>::divergence(double factor, std::span<double> to, Velo
         to[i] = factor * view.template at<Volume>()[i] * (sums.div - dot(v(i), weight_[i]));
     };
     auto const run = [&](auto const& law) {
-        sweep(*particles_, *neighbours_, kernel_, Precision::full, Part{neighbours_->all(), law, close});
+        sweep(*particles_, *neighbours_, kernel_, Precision::full, Part{neighbours_->all(), law, OneByOne{close}});
     };
     if (kind_ == PressureGradientKind::plain) run(Sum<PlainDivergence>{});
     else run(Sum<CorrectedDivergence>{});
@@ -77,7 +79,8 @@ void ConsistentPressure<D>::force(std::span<double const> p, Close const& close)
     auto const own = [&](std::size_t i) { return (-p[i] / view.template at<Density>()[i]) * weight_[i]; };
     auto const run = [&](auto const& law) {
         sweep(*particles_, *neighbours_, kernel_, Precision::full,
-              Part{neighbours_->all(), law, [&](std::size_t i, auto const& sums) { close(i, sums.dv + own(i)); }});
+              Part{neighbours_->all(), law,
+                   OneByOne{[&](std::size_t i, auto const& sums) { close(i, sums.dv + own(i)); }}});
     };
     if (kind_ == PressureGradientKind::plain) {
         for_each(p.size(), [&](std::size_t i) {
@@ -121,7 +124,8 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
         double const V = view.template at<Volume>()[i];
         diagonal_[i] = V * V * (sums.square + norm2(weight_[i]) / view.template at<Mass>()[i]);
     };
-    sweep(*particles_, *neighbours_, kernel_, Precision::full, Part{neighbours_->all(), Sum<GradientSquares>{}, close});
+    sweep(*particles_, *neighbours_, kernel_, Precision::full,
+          Part{neighbours_->all(), Sum<GradientSquares>{}, OneByOne{close}});
     return diagonal_;
 }
 

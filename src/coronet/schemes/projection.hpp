@@ -5,6 +5,7 @@
 // conjugate gradients from the pressure of before, v <- v + dt dv(p), A p = -V div(v)/dt
 // (schemes/pressure_operator.hpp).
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -41,6 +42,13 @@ public:
             view.template set<Velocity>(i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
         });
         return solved;
+    }
+
+    /// Of the field Velocity [1/s], where project() was called last.
+    double largest_divergence(Particles<D> const& particles) {
+        pressure_->source(1, b_);
+        auto const view = particles.view();
+        return max_over(b_.size(), 0, [&](std::size_t i) { return std::fabs(b_[i]) / view.template at<Volume>()[i]; });
     }
 
     PressureOperator<D>& pressure() { return *pressure_; }

@@ -4,7 +4,9 @@
 // What the time loop knows of a scheme. Virtual calls happen a few times a step, never per pair.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "coronet/core/phases.hpp"
 #include "coronet/fields/particles.hpp"
@@ -31,6 +33,12 @@ struct Arrangement {
     double smallest_distance = 0;  ///< between any two particles [m]
 };
 
+/// A number that a scheme shows beside the state, a column of the series.
+struct Reading {
+    std::string name;
+    double value;
+};
+
 template <int D>
 class Scheme {
 public:
@@ -48,6 +56,9 @@ public:
 
     /// Looks at every pair: cheap enough for a sample, not for every step.
     virtual Arrangement arrangement() = 0;
+
+    /// Of the last step; always the same names, in the same order.
+    virtual std::vector<Reading> readings() const = 0;
 
     virtual Particles<D> const& particles() const = 0;
     virtual Counters const& counters() const = 0;

@@ -5,7 +5,7 @@
 // form that the force sweep reads. One close for each gradient; the same code on the host and on a GPU.
 
 #include "coronet/fields/particles.hpp"
-#include "coronet/materials/liquid.hpp"
+#include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/terms/gradient_correction.hpp"
 #include "coronet/terms/stress_divergence.hpp"
 
@@ -13,7 +13,7 @@ namespace coronet {
 
 /// sigma [Pa]; where viscosity differs from particle to particle, it is kept.
 template <class At, class R, int D>
-CORONET_HD Symmetric<R, D> stress(At const& at, Liquid const& liquid, R const& p, Matrix<R, D> const& grad_v) {
+CORONET_HD Symmetric<R, D> stress(At const& at, GeneralisedNewtonian const& liquid, R const& p, Matrix<R, D> const& grad_v) {
     R const mu = liquid.viscosity(grad_v);
     if (!liquid.is_newtonian()) at.template set<Viscosity>(mu);
     return Newtonian<R>{mu}.stress(p, grad_v);
@@ -21,7 +21,7 @@ CORONET_HD Symmetric<R, D> stress(At const& at, Liquid const& liquid, R const& p
 
 /// sph: the plain gradient; the force sweep reads Stress.
 struct PlainClose {
-    Liquid liquid;
+    GeneralisedNewtonian liquid;
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
@@ -44,10 +44,11 @@ CORONET_HD void set_own_acceleration(At const& at, Matrix<R, D> const& T, Vector
         CorrectedStressDivergence::own_part(T, s, at.template get<Density>(), sums.G0, sums.W0));
 }
 
-/// fpm, and the exterior of cph: the corrected gradient.
+/// fpm, and the exterior of cph: the corrected gradient. Without pressure the stress is the viscous one alone.
 struct CorrectedClose {
-    Liquid liquid;
+    GeneralisedNewtonian liquid;
     double kernel_at_zero;
+    bool with_pressure = true;
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
@@ -56,7 +57,7 @@ struct CorrectedClose {
         GradientCorrection<R, D> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
                                                   sums.G0, sums.G1);
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
-        auto const sigma = stress(at, liquid, at.template get<Pressure>(), grad_v);
+        auto const sigma = stress(at, liquid, with_pressure ? at.template get<Pressure>() : R(0), grad_v);
         at.template set<DensityRate>(-at.template get<Density>() * trace(grad_v));
         at.template set<Stress>(sigma);
         auto const T = product<R, D>(sigma, correction.L);

@@ -8,6 +8,7 @@
 
 #include "coronet/core/error.hpp"
 #include "coronet/pairs/sweep.hpp"
+#include "coronet/schemes/arrangement.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
 
@@ -110,6 +111,11 @@ void WeaklyCompressible<D>::evaluate(double time) {
         phases_.act("gradients", [&] { gradients_and_stress(); });
         phases_.act("forces", [&] { forces(); });
     }
+    if (settings_.surface.tension > 0)
+        phases_.act("surface", [&] {
+            find_surface(particles_, neighbours_, settings_.surface);
+            add_tension(particles_, settings_.surface);
+        });
     if (settings_.body_force)
         phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), particles_.owned()); });
     ++counters_.evaluations;
@@ -262,6 +268,7 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
     vote(a2 > 0 ? 0.25 * std::sqrt(h / std::sqrt(a2)) : never, "force");
     vote(step_limit(settings_.pair_terms, h, c), "pair terms");
     vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
+    vote(capillary_step(settings_.surface, settings_.equation_of_state.rho0), "capillary waves");
     return limit;
 }
 
@@ -273,27 +280,7 @@ void WeaklyCompressible<D>::refresh() {
 template <int D>
 Arrangement WeaklyCompressible<D>::arrangement() {
     update_neighbours();
-    auto const view = particles_.view();
-    double const H2 = neighbours_.support() * neighbours_.support();
-    struct Seen {
-        double pairs, nearest2;
-    };
-    auto const seen = fold(
-        particles_.owned(), Seen{0, std::numeric_limits<double>::infinity()},
-        [&](std::size_t i) {
-            Seen row{0, std::numeric_limits<double>::infinity()};
-            auto const x = view.template get<Position>(i);
-            for (Index j : neighbours_.row(i)) {
-                double const r2 = norm2(x - view.template get<Position>(static_cast<std::size_t>(j)));
-                row.pairs += r2 < H2;
-                row.nearest2 = std::min(row.nearest2, r2);
-            }
-            return row;
-        },
-        [](Seen const& a, Seen const& b) {
-            return Seen{a.pairs + b.pairs, std::min(a.nearest2, b.nearest2)};
-        });
-    return {seen.pairs / static_cast<double>(particles_.owned()), std::sqrt(seen.nearest2)};
+    return arrangement_of(particles_, neighbours_);
 }
 
 template class WeaklyCompressible<2>;

@@ -13,10 +13,11 @@
 
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/materials/equation_of_state.hpp"
-#include "coronet/materials/liquid.hpp"
+#include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
+#include "coronet/surface/tension.hpp"
 
 namespace coronet {
 
@@ -45,8 +46,9 @@ public:
         PositionUpdate position_update = PositionUpdate::mean_velocity;
         double courant = 0.25;  ///< safe factor on h/c
         EquationOfState equation_of_state;
-        Liquid liquid;
+        GeneralisedNewtonian liquid;
         PairTerms pair_terms;
+        SurfaceSettings surface;
         Vector<double, D> gravity = {};  ///< [m/s^2]
         /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
         std::function<void(double, View<D> const&, std::size_t count)> body_force;
@@ -60,6 +62,9 @@ public:
     void advance(double time, double step) override;
     void refresh() override;
     Arrangement arrangement() override;
+    std::vector<Reading> readings() const override {
+        return {{"singular_matrices", static_cast<double>(counters_.singular_now)}};
+    }
 
     Particles<D> const& particles() const override { return particles_; }
     Counters const& counters() const override { return counters_; }

@@ -30,7 +30,7 @@ struct Newtonian {
 template <class R>
 Newtonian(R) -> Newtonian<R>;
 
-struct Liquid {
+struct GeneralisedNewtonian {
     Rheology rheology = {.viscosity = 0};
 
     CORONET_HD bool is_newtonian() const { return rheology.model == Rheology::Model::newtonian; }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/schemes/incompressible.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "coronet/core/error.hpp"
+#include "coronet/pairs/sweep.hpp"
+#include "coronet/schemes/arrangement.hpp"
+#include "coronet/schemes/laws.hpp"
+#include "coronet/schemes/stress_close.hpp"
+
+namespace coronet {
+
+namespace {
+
+constexpr double first_skin = 0.03, listing_cost = 0.8;  // as in the weakly compressible scheme
+
+}  // namespace
+
+template <int D>
+Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particles)
+    : settings_(settings),
+      particles_(std::move(particles)),
+      neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
+                  settings.skin > 0 ? 0 : listing_cost),
+      projection_(
+          [&]() -> std::unique_ptr<PressureOperator<D>> {
+              if (settings.pressure == Operator::consistent)
+                  return std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel,
+                                                                 PressureGradientKind::corrected);
+              auto thesis = std::make_unique<ThesisPressure<D>>(settings.pressure_kernel, settings.thesis);
+              thesis_ = thesis.get();
+              return thesis;
+          }(),
+          settings.preconditioning, settings.surface.spacing, settings.solve) {
+    particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, Acceleration, PositionBefore,
+                               VelocityBefore, Surface>{});
+    if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
+    if (!settings_.liquid.is_inviscid())
+        particles_.allocate(Fields<DensityRate, Stress, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
+    if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
+    auto const view = particles_.view();
+    for_each(particles_.size(), [&](std::size_t i) {
+        view.template at<Density>()[i] = settings_.density;
+        view.template at<Volume>()[i] = view.template at<Mass>()[i] / settings_.density;
+        if (any_active(settings_.pair_terms)) view.template at<SoundSpeed>()[i] = settings_.sound_speed;
+    });
+}
+
+template <int D>
+bool Incompressible<D>::needs_surface() const {
+    return has_tension() || (thesis_ && settings_.thesis.surface != SurfacePressure::free);
+}
+
+template <int D>
+void Incompressible<D>::begin_step(double /*time*/) {
+    phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
+    phases_.act("check", [&] { check_state(); });
+}
+
+template <int D>
+void Incompressible<D>::check_state() const {
+    auto const view = particles_.view();
+    double const none = static_cast<double>(particles_.owned());
+    double const first = min_over(particles_.owned(), none, [&](std::size_t i) {
+        return std::isfinite(norm2(view.template get<Velocity>(i))) ? none : static_cast<double>(i);
+    });
+    if (first == none) return;
+    auto const i = static_cast<std::size_t>(first);
+    throw RunError(fmt::format("the flow has blown up: particle {} at ({:.4g}, {:.4g}) m has no finite speed",
+                               particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i]));
+}
+
+template <int D>
+StepLimit Incompressible<D>::time_limit() const {
+    auto const view = particles_.view();
+    std::size_t const n = particles_.owned();
+    double const h = settings_.kernel.support / 3, rho = settings_.density;
+    auto const mean = (1 / static_cast<double>(n)) *
+                      sum_over(n, Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
+    double const v =
+        std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(view.template get<Velocity>(i) - mean); }));
+    double const a =
+        std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(view.template get<Acceleration>(i)); }));
+    double const mu = settings_.liquid.is_newtonian()
+                          ? settings_.liquid.rheology.viscosity
+                          : max_over(n, 0, [&](std::size_t i) { return view.template at<Viscosity>()[i]; });
+    constexpr double never = std::numeric_limits<double>::infinity();
+
+    StepLimit limit{v > 0 ? settings_.courant * h / v : never, "speed"};
+    auto const vote = [&](double step, std::string_view reason) {
+        if (step < limit.step) limit = {step, reason};
+    };
+    vote(a > 0 ? 0.25 * std::sqrt(h / a) : never, "force");
+    vote(step_limit(settings_.pair_terms, h, settings_.sound_speed), "pair terms");
+    vote(mu > 0 ? 0.125 * h * h * rho / mu : never, "viscosity");
+    vote(capillary_step(settings_.surface, rho), "capillary waves");
+    return limit;
+}
+
+template <int D>
+void Incompressible<D>::advance(double time, double step) {
+    auto const view = particles_.view();
+    std::size_t const n = particles_.owned();
+    phases_.act("predict", [&] {
+        for_each(n, [&](std::size_t i) {
+            auto const x = view.template get<Position>(i);
+            auto const v = view.template get<Velocity>(i);
+            view.template set<PositionBefore>(i, x);
+            view.template set<VelocityBefore>(i, v);
+            view.template set<Position>(i, x + 0.5 * step * v);
+        });
+    });
+    phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
+    if (needs_surface()) phases_.act("surface", [&] { look_at_surface(); });
+    forces(time + 0.5 * step);
+    if (has_tension()) phases_.act("surface", [&] { add_tension(particles_, settings_.surface); });
+    phases_.act("predict", [&] {
+        for_each(n, [&](std::size_t i) {
+            view.template set<Velocity>(i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
+        });
+    });
+    phases_.act("projection", [&] { project(step); });
+    phases_.act("correct", [&] {
+        for_each(n, [&](std::size_t i) {
+            auto const v0 = view.template get<VelocityBefore>(i);
+            auto const v = view.template get<Velocity>(i);
+            view.template set<Position>(i, view.template get<PositionBefore>(i) + 0.5 * step * (v0 + v));
+            view.template set<Acceleration>(i, (1 / step) * (v - v0));
+        });
+    });
+    ++counters_.evaluations;
+}
+
+template <int D>
+void Incompressible<D>::look_at_surface() {
+    find_surface(particles_, neighbours_, settings_.surface);
+    if (!thesis_) return;
+    auto const view = particles_.view();
+    std::vector<Vector<double, D>> normals(particles_.size());
+    for_each(normals.size(), [&](std::size_t i) { normals[i] = view.template get<SurfaceNormal>(i); });
+    thesis_->set_normals(std::move(normals));
+}
+
+/// Sets Acceleration to that of every force but pressure and surface tension.
+template <int D>
+void Incompressible<D>::forces(double time) {
+    auto const view = particles_.view();
+    bool const viscous = !settings_.liquid.is_inviscid();
+    auto const sweep_of = [&](auto const& part) {
+        sweep(particles_, neighbours_, settings_.kernel, Precision::full, part);
+    };
+    if (viscous) {
+        phases_.act("gradients", [&] {
+            sweep_of(Part{neighbours_.all(), CorrectedGradients{},
+                          CorrectedClose{settings_.liquid, settings_.kernel.at_zero(), false}});
+        });
+        counters_.singular_now = static_cast<std::int64_t>(
+            sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+        counters_.singular_matrices += counters_.singular_now;
+    }
+    phases_.act("forces", [&] {
+        auto const& terms = settings_.pair_terms;
+        CorrectedForceClose<D> const close{settings_.gravity};
+        if (viscous && any_active(terms))
+            sweep_of(Part{neighbours_.all(), CorrectedForcesAndPairTerms{{}, terms}, close});
+        else if (viscous) sweep_of(Part{neighbours_.all(), CorrectedForces{}, close});
+        else if (any_active(terms))
+            sweep_of(Part{neighbours_.all(), Sum<PairTerms>{terms}, PlainForceClose<D>{settings_.gravity}});
+        else
+            for_each(particles_.owned(), [&](std::size_t i) { view.template set<Acceleration>(i, settings_.gravity); });
+    });
+    if (settings_.body_force) phases_.act("body force", [&] { settings_.body_force(time, view, particles_.owned()); });
+}
+
+template <int D>
+void Incompressible<D>::project(double step) {
+    solved_ = projection_.project(particles_, neighbours_, step);
+    divergence_ = projection_.largest_divergence(particles_);
+    if (!solved_.converged)
+        throw RunError(
+            fmt::format("the pressure did not converge: after {} iterations the residual is {:.2g} of the "
+                        "right-hand side, and {:.2g} is asked for (method.tolerance)",
+                        solved_.iterations, solved_.residual, settings_.solve.tolerance));
+}
+
+template <int D>
+std::vector<Reading> Incompressible<D>::readings() const {
+    return {{"singular_matrices", static_cast<double>(counters_.singular_now)},
+            {"solver_iterations", static_cast<double>(solved_.iterations)},
+            {"divergence_max", divergence_}};
+}
+
+template <int D>
+Arrangement Incompressible<D>::arrangement() {
+    counters_.listings += neighbours_.update(particles_);
+    return arrangement_of(particles_, neighbours_);
+}
+
+template class Incompressible<2>;
+template class Incompressible<3>;
+
+}  // namespace coronet

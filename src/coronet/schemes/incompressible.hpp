@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Incompressible flow by projection: a step with every force but that of pressure, then the pressure whose force leaves
+// the velocity without divergence (schemes/projection.hpp),
+//     x_half = x + dt v/2,
+//     v*     = v + dt (div tau/rho + f)     at x_half,
+//     v_new  = v* + dt dv(p),               div v_new = 0 at x_half,
+//     x_new  = x + dt (v + v_new)/2.
+// It is Lobo (2011), section 3.3, with the forces where they conserve angular momentum: half a step on. Each of them
+// conserves momentum by itself, and sum m x cross v then changes by nothing but round-off. Density is a constant.
+//
+// Two pressure operators: `consistent`, whose force is the negative transpose of its divergence (Fang et al. 2009), and
+// `thesis`, Lobo's (3.61)-(3.63). Viscous stress is as in the weakly compressible scheme, with the corrected gradient
+// and its dual. Surface tension is Lobo's (3.51): sigma kappa per area along the inward normal, of the surface
+// particles.
+
+#include <functional>
+#include <memory>
+
+#include "coronet/materials/generalised_newtonian.hpp"
+#include "coronet/schemes/pair_terms.hpp"
+#include "coronet/schemes/projection.hpp"
+#include "coronet/schemes/scheme.hpp"
+#include "coronet/schemes/thesis_pressure.hpp"
+#include "coronet/surface/tension.hpp"
+
+namespace coronet {
+
+template <int D>
+class Incompressible final : public Scheme<D> {
+public:
+    enum class Operator { consistent, thesis };
+
+    struct Settings {
+        Kernel kernel, pressure_kernel;  ///< of the same support
+        double skin = 0;                 ///< [m]; 0: tuned
+        GeneralisedNewtonian liquid;
+        double density = 1000;   ///< [kg/m^3]
+        double sound_speed = 0;  ///< [m/s], of artificial viscosity alone
+        PairTerms pair_terms;
+        Operator pressure = Operator::consistent;
+        typename ThesisPressure<D>::Options thesis;
+        Preconditioning preconditioning = Preconditioning::multigrid;
+        SolveLimits solve;
+        SurfaceSettings surface;
+        double courant = 0.25;           ///< safe factor on h/speed
+        Vector<double, D> gravity = {};  ///< [m/s^2]
+        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
+        std::function<void(double, View<D> const&, std::size_t count)> body_force;
+    };
+
+    /// Takes particles with Position, Velocity, Density, Mass set.
+    Incompressible(Settings const& settings, Particles<D> particles);
+
+    void begin_step(double time) override;
+    StepLimit time_limit() const override;
+    /// Throws RunError where the solve does not converge.
+    void advance(double time, double step) override;
+    void refresh() override {}
+    Arrangement arrangement() override;
+
+    Particles<D> const& particles() const override { return particles_; }
+    Counters const& counters() const override { return counters_; }
+    Phases& phases() override { return phases_; }
+    std::vector<Reading> readings() const override;
+
+private:
+    bool has_tension() const { return settings_.surface.tension > 0; }
+    bool needs_surface() const;
+    void look_at_surface();
+    void forces(double time);
+    void project(double step);
+    void check_state() const;
+
+    Settings settings_;
+    Particles<D> particles_;
+    Neighbours<D> neighbours_;
+    ThesisPressure<D>* thesis_ = nullptr;  ///< the projection's, if it is that one
+    Projection<D> projection_;
+    Counters counters_;
+    Phases phases_;
+    Solved solved_;
+    double divergence_ = 0;  ///< the largest that the last projection left [1/s]
+};
+
+}  // namespace coronet
