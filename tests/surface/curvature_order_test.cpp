@@ -45,10 +45,6 @@ struct Ellipsoid {
     Vector<double, D> pulled_onto(Vector<double, D> const& x) const { return 1 / std::sqrt(dot(x, Ax(x))) * x; }
 };
 
-struct Spaced {
-    double spacing;
-};
-
 /// Evenly along the arc.
 Points<2> points_on(Ellipsoid<2> const& ellipse, std::size_t count) {
     auto const at = [&](double t) {
@@ -143,13 +139,13 @@ Orders report(std::string const& what, std::vector<Errors> const& series) {
 template <int D>
 Orders orders_on(std::string const& what, Ellipsoid<D> const& shape, double share) {
     std::vector<Errors> series;
-    std::size_t const counts[] = {D == 2 ? 100u : 1000u, D == 2 ? 200u : 4000u, D == 2 ? 400u : 16000u};
+    std::size_t const counts[] = {D == 2 ? 400u : 16000u, D == 2 ? 800u : 64000u};
     for (std::size_t const count : counts) series.push_back(errors_of_fits(shape, count, share));
     return report(what, series);
 }
 
 Ellipsoid<2> const circle{{{1, 1}}}, ellipse{{{1.3, 0.8}}};
-Ellipsoid<3> const sphere{{{1, 1, 1}}}, spheroid{{{1.2, 1.2, 0.9}}};
+Ellipsoid<3> const sphere{{{1, 1, 1}}}, spheroid{{{1.3, 1.3, 0.7}}};
 
 TEST(CurvatureOrder, OnEvenPoints) {
     EXPECT_NEAR(orders_on("circle, even", circle, 0).curvature, 2, 0.1);
@@ -199,11 +195,11 @@ Errors errors_of_body(Ellipsoid<D> const& shape, double spacing, bool covered_wi
     Neighbours<D> neighbours(3 * spacing, 0.1 * spacing);
     neighbours.update(particles);
     mark_surface(particles, neighbours, spacing);
-    auto const view = particles.view();
     if (covered_with_points)
         for (std::size_t i = 0; i < points.size(); ++i)
-            view.template at<Surface>()[i] = particles.id[i] < static_cast<std::int64_t>(on_surface);
+            particles.template get<Surface>()[i] = particles.id[i] < static_cast<std::int64_t>(on_surface);
     reconstruct_surface(particles, neighbours, {2.5 * spacing});
+    auto const view = particles.view();
     double curvature = 0, normal = 0, mean = 0, fits = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (view.template at<Surface>()[i] == 0) {
@@ -211,7 +207,7 @@ Errors errors_of_body(Ellipsoid<D> const& shape, double spacing, bool covered_wi
             continue;
         }
         EXPECT_NEAR(norm2(view.template get<SurfaceNormal>(i)), 1, 1e-14);
-        if (view.template at<SurfaceFitted>()[i] == 0) continue;
+        EXPECT_EQ(view.template at<SurfaceFitted>()[i], 1);
         auto const x = shape.pulled_onto(view.template get<Position>(i));
         double const error = view.template at<Curvature>()[i] - shape.curvature(x);
         curvature += error * error;
@@ -233,11 +229,15 @@ TEST(CurvatureOrder, OfABodyWhoseSurfaceIsCoveredWithPoints) {
 }
 
 TEST(CurvatureOrder, OfABodyCutOutOfALattice) {
-    auto const in_2d =
-        report("disc cut out of a lattice", {errors_of_body(circle, 0.04, false), errors_of_body(circle, 0.02, false)});
-    auto const in_3d =
-        report("ball cut out of a lattice", {errors_of_body(sphere, 0.12, false), errors_of_body(sphere, 0.06, false)});
-    (void)in_2d, (void)in_3d;
+    // The particles lie off the surface by a share of the spacing, whatever that is: normals are off by some angle, and
+    // curvatures by some share of 1/spacing. Only a surface that has become smooth by moving has a curvature.
+    for (auto const& orders : {report("disc cut out of a lattice",
+                                      {errors_of_body(circle, 0.04, false), errors_of_body(circle, 0.02, false)}),
+                               report("ball cut out of a lattice",
+                                      {errors_of_body(sphere, 0.12, false), errors_of_body(sphere, 0.06, false)})}) {
+        EXPECT_NEAR(orders.curvature, -1, 0.3);
+        EXPECT_NEAR(orders.normal, 0, 0.3);
+    }
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <map>
 
 #include "coronet/core/error.hpp"
+#include "coronet/surface/arc_coverage.hpp"
+#include "coronet/surface/sphere_coverage.hpp"
 #include "tests/neighbours/points.hpp"
 
 namespace {
@@ -90,6 +92,12 @@ TEST(SurfaceDetection, DependsOnNothingButPositionsAndRadius) {
         auto const usual = marks<D>(points, radius, 2 * radius);
         EXPECT_GT(count<D>(usual), 100u);
         EXPECT_LT(count<D>(usual), points.size() - 100);
+        for (std::size_t i = 0; i < points.size(); i += 7) {  // of all others, however far
+            std::conditional_t<D == 2, ArcCoverage, SphereCoverage> coverage;
+            for (std::size_t j = 0; j < points.size(); ++j)
+                if (j != i) coverage.add(Cap<D>(points[j] - points[i], radius, radius));
+            EXPECT_EQ(usual.at(static_cast<std::int64_t>(i)), !coverage.covered());
+        }
         EXPECT_EQ(usual, marks<D>(points, radius, 3 * radius, 0.5 * radius));
         for (int const some : {1, 2, 3}) {
             set_threads(some);

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "coronet/core/error.hpp"
-#include "coronet/surface/detect.hpp"
 #include "coronet/surface/frame.hpp"
 #include "tests/neighbours/points.hpp"
 
@@ -84,6 +83,21 @@ TEST(Reconstruction, IsExactAtTheVertexOfAQuadricWhicheverWayItIsTurned) {
     }
 }
 
+TEST(Reconstruction, KnowsTheCurvatureOfAGraphWhereverItSlopes) {
+    for (double const x : {-0.8, 0.0, 0.3, 0.6}) {
+        double const y = std::sqrt(1 - x * x);  // a circle's upper half: y' = -x/y, y'' = -1/y^3
+        EXPECT_NEAR(curvature_of_graph(-x / y, -1 / (y * y * y)), 1, 1e-14);
+        double const Y = 0.5, z = std::sqrt(1 - x * x / 1.5 - Y * Y / 1.5), z3 = z * z * z * 2.25;
+        // x^2/1.5 + y^2/1.5 + z^2 = 1; the sum of its curvatures is the divergence of (x/1.5, y/1.5, z) over its
+        // length.
+        double const zx = -x / (1.5 * z), zy = -Y / (1.5 * z);
+        double const zxx = -(z * z * 1.5 + x * x) / z3, zyy = -(z * z * 1.5 + Y * Y) / z3, zxy = -x * Y / z3;
+        double const g2 = (x * x + Y * Y) / 2.25 + z * z;
+        double const exact = (2 / 1.5 + 1 - ((x * x + Y * Y) / std::pow(1.5, 3) + z * z) / g2) / std::sqrt(g2);
+        EXPECT_NEAR(curvature_of_graph(zx, zy, zxx, zxy, zyy), exact, 1e-13);
+    }
+}
+
 TEST(Reconstruction, SaysWhereItCannotFit) {
     Vector<double, 2> const up{{0, 1}};
     auto const expect_none = [&](Points<2> const& points) {
@@ -102,6 +116,55 @@ TEST(Reconstruction, SaysWhereItCannotFit) {
     EXPECT_FALSE(fit_to<3>(cross, {{0, 0, 1}}, {1}).fitted) << "of two lines xy cannot be known";
     cross.push_back({{0.3, 0.3, 0}});
     EXPECT_TRUE(fit_to<3>(cross, {{0, 0, 1}}, {1}).fitted);
+}
+
+/// Particles on concentric circles around each centre, a spacing apart; the outermost circles are the surface.
+Particles<2> discs(Points<2> const& centres, double radius, double spacing) {
+    Points<2> points;
+    std::vector<bool> outermost;
+    for (auto const& centre : centres)
+        for (double r = radius; r > 0.5 * spacing; r -= spacing) {
+            double const count = std::round(2 * pi * r / spacing);
+            for (double k = 0; k < count; ++k) {
+                double const angle = 2 * pi * k / count;
+                points.push_back(centre + r * Vector<double, 2>{{std::cos(angle), std::sin(angle)}});
+                outermost.push_back(r == radius);
+            }
+        }
+    auto particles = particles_at<2>(points);
+    particles.allocate(Fields<Surface>{});
+    for (std::size_t i = 0; i < points.size(); ++i) particles.get<Surface>()[i] = outermost[i];
+    return particles;
+}
+
+TEST(Reconstruction, OfADropIsNotSpoiltByAnotherNearby) {
+    double const spacing = 0.05;
+    // Nearer than that, say one spacing apart, they are one liquid.
+    for (double const gap : {10.0, 2.0, 1.5}) {
+        auto particles = discs({{{-1 - gap * spacing / 2, 0}}, {{1 + gap * spacing / 2, 0}}}, 1, spacing);
+        Neighbours<2> neighbours(3 * spacing, 0.1 * spacing);
+        neighbours.update(particles);
+        reconstruct_surface(particles, neighbours, {2.5 * spacing});
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            if (particles.get<Surface>()[i] == 0) continue;
+            // On even points the quartic term of a circle, x^4/8, adds 2/8 (sum a_k k^4) dx^2 = 0.826 dx^2, with
+            // a_k = 0.1162, 0.0960 what the fit weighs the first and second neighbour on each side with.
+            EXPECT_NEAR(particles.get<Curvature>()[i], 1, 0.84 * spacing * spacing)
+                << "x = " << particles.get<Position>(0)[i] << ", gap of " << gap << " spacings";
+        }
+    }
+}
+
+TEST(Reconstruction, OfALoneParticleHasNoNormal) {
+    auto particles = particles_at<3>({{{1, 2, 3}}});
+    particles.allocate(Fields<Surface>{});
+    particles.get<Surface>()[0] = 1;
+    Neighbours<3> neighbours(3, 0.1);
+    neighbours.update(particles);
+    reconstruct_surface(particles, neighbours, {2.5});
+    EXPECT_EQ(particles.get<SurfaceFitted>()[0], 0);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(particles.get<SurfaceNormal>(k)[0], 0);
+    EXPECT_THROW(reconstruct_surface(particles, neighbours, {3.01}), CaseError);
 }
 
 }  // namespace

@@ -74,13 +74,8 @@ Vector<double, D> turned(Vector<double, D> const& n, Coefficients<D> const& c) {
 /// In units of 1/width.
 template <int D>
 double curvature(Coefficients<D> const& c) {
-    if constexpr (D == 2) {
-        double const g = 1 + c[1] * c[1];
-        return -2 * c[2] / (g * std::sqrt(g));
-    } else {
-        double const fx = c[1], fy = c[2], fxx = 2 * c[3], fxy = c[4], fyy = 2 * c[5], g = 1 + fx * fx + fy * fy;
-        return -((1 + fy * fy) * fxx - 2 * fx * fy * fxy + (1 + fx * fx) * fyy) / (g * std::sqrt(g));
-    }
+    if constexpr (D == 2) return curvature_of_graph(c[1], 2 * c[2]);
+    else return curvature_of_graph(c[1], c[2], 2 * c[3], c[4], 2 * c[5]);
 }
 
 /// The unit vector from the mean of the neighbours to i, or 0.

@@ -19,6 +19,7 @@
 // 2 pi/3. Weights (1 - (r/w)^2)^3 that vanish at w = 2.5 dx give -0.849 + 0.465 cos q + 0.384 cos 2q over dx^2, never
 // positive: the tension that follows flattens every wave.
 
+#include <cmath>
 #include <span>
 
 #include "coronet/neighbours/neighbours.hpp"
@@ -40,6 +41,16 @@ struct SurfaceFit {
         return u <= 0 ? 0 : weights == FitWeights::none ? 1 : u * u * u;
     }
 };
+
+/// The curvature of the graph of f over a line, or over a plane, below which the liquid lies.
+inline double curvature_of_graph(double fx, double fxx) {
+    double const g = 1 + fx * fx;
+    return -fxx / (g * std::sqrt(g));
+}
+inline double curvature_of_graph(double fx, double fy, double fxx, double fxy, double fyy) {
+    double const g = 1 + fx * fx + fy * fy;
+    return -((1 + fy * fy) * fxx - 2 * fx * fy * fxy + (1 + fx * fx) * fyy) / (g * std::sqrt(g));
+}
 
 template <int D>
 struct LocalSurface {

@@ -107,9 +107,7 @@ bool SphereCoverage::is_covered(Disc const& cap) {
     constexpr double apart = Cap<3>::apart;
     circle_.clear();
     for (Disc const& other : caps_) {
-        if (&other == &cap) continue;
         bool const alike = norm2(other.n - cap.n) < apart * apart && std::fabs(other.c - cap.c) < apart;
-        if (alike && &other < &cap) return true;
         if (alike) continue;
         Vector<double, 2> const direction{{cap.s * dot(other.n, e1), cap.s * dot(other.n, e2)}};
         circle_.add(Cap<2>(direction, other.c - cap.c * dot(other.n, cap.n)));
