@@ -6,6 +6,7 @@
 // (schemes/pressure_operator.hpp).
 
 #include <cmath>
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -36,7 +37,9 @@ public:
         pressure_->source(step, b_);
         auto const view = particles.view();
         std::span<double> const p = particles.template get<Pressure>();
+        auto const begin = std::chrono::steady_clock::now();
         Solved const solved = solve(particles, p);
+        solve_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         pressure_->accelerate(p);
         for_each(n, [&](std::size_t i) {
             view.template set<Velocity>(i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
@@ -50,6 +53,8 @@ public:
         auto const view = particles.view();
         return max_over(b_.size(), 0, [&](std::size_t i) { return std::fabs(b_[i]) / view.template at<Volume>()[i]; });
     }
+    /// How long the last solve took, without the operator's set-up and with the preconditioner's [s].
+    double seconds_of_solve() const { return solve_seconds_; }
 
     PressureOperator<D>& pressure() { return *pressure_; }
 
@@ -72,6 +77,7 @@ private:
     ConjugateGradients gradients_;
     GridMultigrid<D> multigrid_;
     std::vector<double> b_;
+    double solve_seconds_ = 0;
 };
 
 }  // namespace coronet
