@@ -202,6 +202,9 @@ void check(Case const& c, Errors& errors) {
             "(support "
             "{} times spacing {} m): use 'double'",
             least_mixed_radius, 1 / least_mixed_radius, radius, c.method.support, c.particles.spacing);
+    if (c.method.scheme == "projection" && c.method.pressure_support > c.method.support)
+        say(errors, "method.pressure_support = {} is above method.support = {}: neighbours are known up to that only",
+            c.method.pressure_support, c.method.support);
     check_names(c, errors);
     check_rheology(c, errors);
     check_times(c, errors);

@@ -101,6 +101,13 @@ void describe_projection(Keys& keys, Case& c) {
     keys.choice({.path = "method.pressure_kernel",
                  .meaning = "of the pressure and the divergence; by default that of everything else"},
                 m.pressure_kernel, {names.begin(), names.end()});
+    if (m.pressure_support == 0) m.pressure_support = m.support;
+    keys.number({.path = "method.pressure_support",
+                 .unit = "spacings",
+                 .meaning = "radius of that kernel, at most method.support, the default",
+                 .at_least = 1.5,
+                 .at_most = 10},
+                m.pressure_support);
     keys.choice({.path = "method.preconditioner", .meaning = "of the conjugate gradients that solve for the pressure"},
                 m.preconditioner, {"jacobi", "multigrid"});
     keys.number({.path = "method.tolerance",

@@ -119,7 +119,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     double const dx = c.particles.spacing, support = c.method.support * dx;
     typename Scheme::Settings s;
     s.kernel = make_kernel(c.method.kernel, D, support);
-    s.pressure_kernel = make_kernel(c.method.pressure_kernel, D, support);
+    s.pressure_kernel = make_kernel(c.method.pressure_kernel, D, c.method.pressure_support * dx);
     s.skin = c.method.skin * dx;
     s.liquid.rheology = rheology_of(c);
     s.density = c.fluid.density;

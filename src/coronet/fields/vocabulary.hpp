@@ -45,12 +45,6 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(SlopeMoment, G1, symmetric, "-", "sum V grad W (x_j - x_i)")                                           \
     X(VelocityJump, v_jump, vector, "m/s", "sum V (v_j - v_i) W")                                            \
     X(VelocitySlope, v_slope, matrix, "1/s", "sum V (v_j - v_i) grad W: the plain SPH velocity gradient")    \
-    X(GradientMatrix, L, matrix, "-", "matrix of the corrected kernel gradient L grad W - q W")              \
-    X(GradientOffset, q, vector, "1/m", "offset of the corrected kernel gradient")                           \
-    X(WeightedPressure, Vp, scalar, "J", "V p")                                                              \
-    X(WeightedVelocity, Vv, vector, "m^4/s", "V v, or V times a rate of change of v")                        \
-    X(Divergence, div, scalar, "1/s", "divergence of the velocity, or of its rate of change")                \
-    X(SquaredGradients, square, scalar, "m/kg", "sum V/rho |grad W~|^2")                                     \
     X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                 \
     X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
     X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \

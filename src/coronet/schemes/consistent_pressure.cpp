@@ -1,62 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/consistent_pressure.hpp"
 
-#include "coronet/pairs/sweep.hpp"
-#include "coronet/schemes/laws.hpp"
-#include "coronet/terms/dual_operators.hpp"
 #include "coronet/terms/gradient_correction.hpp"
 
 namespace coronet {
 
+/// The rows of neighbours inside the support, with the kernel between them.
 template <int D>
-void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const& neighbours) {
-    particles_ = &particles;
-    neighbours_ = &neighbours;
-    particles.allocate(Fields<Velocity, Acceleration, GradientMatrix, GradientOffset, WeightedVelocity>{});
-    if (kind_ == PressureGradientKind::plain) particles.allocate(Fields<WeightedPressure>{});
-    else particles.allocate(Fields<CorrectedStress, StressOffset, FellBack>{});
+void ConsistentPressure<D>::list(Particles<D> const& particles, Neighbours<D> const& neighbours) {
     std::size_t const n = particles.size();
-    weight_.resize(n);
-    diagonal_.clear();
     auto const view = particles.view();
-
-    // The laws that a scheme sweeps for its velocity gradients sum the moments, too.
-    if (kind_ == PressureGradientKind::plain) {
-        auto const close = [&](std::size_t i, auto const& sums) {
-            weight_[i] = sums.G0;
-            view.template set<GradientMatrix>(i, identity<double, D>());
-        };
-        sweep(particles, neighbours, kernel_, Precision::full,
-              Part{neighbours.all(), PlainGradientsAndSums{}, OneByOne{close}});
-        return;
-    }
-    double const kernel_at_zero = kernel_.at_zero();
-    auto const close = [&](std::size_t i, auto const& sums) {
-        GradientCorrection<double, D> const correction(sums.W0 + view.template at<Volume>()[i] * kernel_at_zero,
-                                                       sums.W1, sums.G0, sums.G1);
-        weight_[i] = correction.L * sums.G0 - sums.W0 * correction.q;
-        view.template set<GradientMatrix>(i, correction.L);
-        view.template set<GradientOffset>(i, correction.q);
-        view.template at<FellBack>()[i] = correction.fell_back;
+    double const H2 = kernel_.support * kernel_.support;
+    auto const for_near = [&](std::size_t i, auto const& act) {
+        auto const x_i = view.template get<Position>(i);
+        for (Index const j : neighbours.row(i)) {
+            auto const x = x_i - view.template get<Position>(static_cast<std::size_t>(j));
+            double const r2 = norm2(x);
+            if (r2 < H2) act(j, x, r2);
+        }
     };
-    sweep(particles, neighbours, kernel_, Precision::full,
-          Part{neighbours.all(), CorrectedGradients{}, OneByOne{close}});
-    singular_matrices_ =
-        static_cast<std::size_t>(sum_over(n, 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+    begin_.assign(n + 1, 0);
+    for_each(n, [&](std::size_t i) { for_near(i, [&](auto const&...) { ++begin_[i + 1]; }); });
+    for (std::size_t i = 0; i < n; ++i) begin_[i + 1] += begin_[i];
+    links_.resize(begin_[n] + 1);
+    for_each(n, [&](std::size_t i) {
+        std::size_t next = begin_[i];
+        for_near(i, [&](Index j, Vector<double, D> const& x, double r2) {
+            auto const [W, F] = kernel_(r2);
+            links_[next++] = {F * x, W, j};
+        });
+    });
 }
 
 template <int D>
-template <class Velocities>
-void ConsistentPressure<D>::divergence(double factor, std::span<double> to, Velocities const& v) {
+void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const& neighbours) {
+    particles_ = &particles;
+    particles.allocate(Fields<Velocity, Acceleration>{});
+    list(particles, neighbours);
+    std::size_t const n = particles.size();
+    auto const view = particles.view();
+    gradient_.resize(n);
+    diagonal_.clear();
+    double const W_at_zero = kernel_.at_zero();
+    singular_matrices_ = static_cast<std::size_t>(sum_over(n, 0.0, [&](std::size_t i) {
+        double W0 = 0;
+        Vector<double, D> W1, G0;
+        Symmetric<double, D> G1;
+        auto const x_i = view.template get<Position>(i);
+        for (Link const& link : row(i)) {
+            auto const j = static_cast<std::size_t>(link.j);
+            double const V = view.template at<Volume>()[j];
+            auto const x = view.template get<Position>(j) - x_i;
+            W0 += V * link.W;
+            W1 += (V * link.W) * x;
+            G0 += V * link.gradW;
+            G1 += outer_of_parallels(V * link.gradW, x);
+        }
+        if (kind_ == PressureGradientKind::plain) {
+            gradient_[i] = {identity<double, D>(), {}, G0};
+            return 0.0;
+        }
+        GradientCorrection<double, D> const c(W0 + view.template at<Volume>()[i] * W_at_zero, W1, G0, G1);
+        gradient_[i] = {c.L, c.q, c.L * G0 - W0 * c.q};
+        return c.fell_back;
+    }));
+}
+
+template <int D>
+void ConsistentPressure<D>::divergence(double factor, std::vector<Vector<double, D>> const& v,
+                                       std::span<double> to) const {
     auto const view = particles_->view();
-    auto const close = [&](std::size_t i, auto const& sums) {
-        to[i] = factor * view.template at<Volume>()[i] * (sums.div - dot(v(i), weight_[i]));
-    };
-    auto const run = [&](auto const& law) {
-        sweep(*particles_, *neighbours_, kernel_, Precision::full, Part{neighbours_->all(), law, OneByOne{close}});
-    };
-    if (kind_ == PressureGradientKind::plain) run(Sum<PlainDivergence>{});
-    else run(Sum<CorrectedDivergence>{});
+    double const* const V = view.template at<Volume>();
+    for_each(to.size(), [&](std::size_t i) {
+        Matrix<double, D> slope;
+        Vector<double, D> jump;
+        for (Link const& link : row(i)) {
+            auto const j = static_cast<std::size_t>(link.j);
+            Vector<double, D> const Vv = V[j] * v[j];
+            slope += outer(Vv, link.gradW);
+            jump += link.W * Vv;
+        }
+        Gradient const& at = gradient_[i];
+        double div = -dot(jump, at.q) - dot(v[i], at.g);
+        unrolled<D * D>([&](int ab) { div += at.L[ab] * slope[ab]; });
+        to[i] = factor * V[i] * div;
+    });
 }
 
 template <int D>
@@ -67,51 +95,42 @@ void ConsistentPressure<D>::source(double step, std::span<double> b) {
     Vector<double, D> const mean = (1 / static_cast<double>(n)) * sum_over(n, Vector<double, D>{}, [&](std::size_t i) {
                                        return view.template get<Velocity>(i);
                                    });
-    auto const v = [&](std::size_t i) { return view.template get<Velocity>(i) - mean; };
-    for_each(n, [&](std::size_t i) { view.template set<WeightedVelocity>(i, view.template at<Volume>()[i] * v(i)); });
-    divergence(-1 / step, b, v);
+    velocity_.resize(n);
+    for_each(n, [&](std::size_t i) { velocity_[i] = view.template get<Velocity>(i) - mean; });
+    divergence(-1 / step, velocity_, b);
 }
 
 template <int D>
-template <class Close>
-void ConsistentPressure<D>::force(std::span<double const> p, Close const& close) {
+void ConsistentPressure<D>::force(std::span<double const> p, std::vector<Vector<double, D>>& to) {
     auto const view = particles_->view();
-    auto const own = [&](std::size_t i) { return (-p[i] / view.template at<Density>()[i]) * weight_[i]; };
-    auto const run = [&](auto const& law) {
-        sweep(*particles_, *neighbours_, kernel_, Precision::full,
-              Part{neighbours_->all(), law,
-                   OneByOne{[&](std::size_t i, auto const& sums) { close(i, sums.dv + own(i)); }}});
-    };
-    if (kind_ == PressureGradientKind::plain) {
-        for_each(p.size(), [&](std::size_t i) {
-            view.template at<WeightedPressure>()[i] = view.template at<Volume>()[i] * p[i];
-        });
-        run(Sum<PressurePush>{});
-        return;
-    }
-    for_each(p.size(), [&](std::size_t i) {
-        double const minus_Vp = -view.template at<Volume>()[i] * p[i];
-        view.template set<CorrectedStress>(i, minus_Vp * view.template get<GradientMatrix>(i));
-        view.template set<StressOffset>(i, minus_Vp * view.template get<GradientOffset>(i));
+    std::size_t const n = p.size();
+    push_.resize(n);
+    to.resize(n);
+    for_each(n, [&](std::size_t i) {
+        double const Vp = view.template at<Volume>()[i] * p[i];
+        push_[i] = {Vp * gradient_[i].L, Vp * gradient_[i].q};
     });
-    run(CorrectedForces{});
+    for_each(n, [&](std::size_t i) {
+        Vector<double, D> sum = p[i] * gradient_[i].g;
+        for (Link const& link : row(i)) {
+            Push const& push = push_[static_cast<std::size_t>(link.j)];
+            sum += push.VpL * link.gradW + link.W * push.Vpq;
+        }
+        to[i] = (-1 / view.template at<Density>()[i]) * sum;
+    });
 }
 
 template <int D>
 void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
-    auto const view = particles_->view();
-    force(p, [&](std::size_t i, Vector<double, D> const& dv) {
-        view.template set<WeightedVelocity>(i, view.template at<Volume>()[i] * dv);
-    });
-    divergence(1, Ap, [&](std::size_t i) {
-        return (1 / view.template at<Volume>()[i]) * view.template get<WeightedVelocity>(i);
-    });
+    force(p, velocity_);
+    divergence(1, velocity_, Ap);
 }
 
 template <int D>
 void ConsistentPressure<D>::accelerate(std::span<double const> p) {
     auto const view = particles_->view();
-    force(p, [&](std::size_t i, Vector<double, D> const& dv) { view.template set<Acceleration>(i, dv); });
+    force(p, velocity_);
+    for_each(p.size(), [&](std::size_t i) { view.template set<Acceleration>(i, velocity_[i]); });
 }
 
 /// B_ij = V_i C_ij off the diagonal and -V_i g_i on it, so A_ii = sum_j |B_ij|^2/m_j.
@@ -120,12 +139,17 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
     if (!diagonal_.empty()) return diagonal_;
     diagonal_.resize(particles_->size());
     auto const view = particles_->view();
-    auto const close = [&](std::size_t i, auto const& sums) {
+    for_each(diagonal_.size(), [&](std::size_t i) {
+        Gradient const& at = gradient_[i];
+        double sum = norm2(at.g) / view.template at<Mass>()[i];
+        for (Link const& link : row(i)) {
+            auto const j = static_cast<std::size_t>(link.j);
+            sum += view.template at<Volume>()[j] / view.template at<Density>()[j] *
+                   norm2(at.L * link.gradW - link.W * at.q);
+        }
         double const V = view.template at<Volume>()[i];
-        diagonal_[i] = V * V * (sums.square + norm2(weight_[i]) / view.template at<Mass>()[i]);
-    };
-    sweep(*particles_, *neighbours_, kernel_, Precision::full,
-          Part{neighbours_->all(), Sum<GradientSquares>{}, OneByOne{close}});
+        diagonal_[i] = V * V * sum;
+    });
     return diagonal_;
 }
 
@@ -135,10 +159,11 @@ SmoothEnergy<D> ConsistentPressure<D>::smooth_energy() {
     auto const view = particles_->view();
     std::size_t const n = particles_->size();
     SmoothEnergy<D> energy{std::vector<double>(n), std::vector<Vector<double, D>>(n), std::vector<double>(n)};
-    force(std::vector<double>(n, 1.0), [&](std::size_t i, Vector<double, D> const& dv) {
+    force(std::vector<double>(n, 1.0), energy.w);
+    for_each(n, [&](std::size_t i) {
         double const rho = view.template at<Density>()[i];
         energy.a[i] = view.template at<Volume>()[i] / rho;
-        energy.w[i] = -rho * dv;
+        energy.w[i] = -rho * energy.w[i];
     });
     return energy;
 }
