@@ -69,7 +69,7 @@ struct Case {
         double support = 3.9, skin = 0;
         PairTerms pair_terms;
         std::string pressure_operator = "consistent", pressure_kernel, preconditioner = "multigrid";
-        double pressure_support = 0, tolerance = 1e-6;
+        double pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
         int most_iterations = 1000;
         bool lattice_diagonal = false;
     } method;

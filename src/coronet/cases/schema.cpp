@@ -119,6 +119,14 @@ void describe_projection(Keys& keys, Case& c) {
     keys.integer(
         {.path = "method.most_iterations", .unit = "-", .meaning = "a solve that takes more has failed", .at_least = 1},
         m.most_iterations);
+    if (keys.everything() || m.pressure_operator == "consistent")
+        keys.number({.path = "method.compact_share",
+                     .unit = "-",
+                     .meaning = "of a compact Laplacian in the consistent operator, against checkerboards; with 0 the "
+                                "projection is exact",
+                     .at_least = 0,
+                     .at_most = 0.5},
+                    m.compact_share);
     if (!keys.everything() && m.pressure_operator != "thesis") return;
     keys.flag({.path = "method.lattice_diagonal",
                .meaning = "of the thesis's matrix: no diagonal less than in a lattice, which holds the constant"},

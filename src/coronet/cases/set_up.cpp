@@ -126,6 +126,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.sound_speed = c.fluid.sound_speed;
     s.pair_terms = c.method.pair_terms;
     s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;
+    s.compact_share = c.method.compact_share;
     s.thesis = {c.surface.pressure == "zero"       ? SurfacePressure::zero
                 : c.surface.pressure == "mirrored" ? SurfacePressure::mirrored
                                                    : SurfacePressure::free,

@@ -26,6 +26,7 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(Surface, surface, scalar, "-", "1 for a particle of the free surface, else 0")                         \
     X(SurfaceNormal, n, vector, "-", "outward unit normal of the free surface, 0 elsewhere")                 \
     X(Curvature, kappa, scalar, "1/m", "curvature of the surface, in 3D of both ways; > 0 on a drop")        \
+    X(SurfaceArea, area, scalar, "m^2", "share of the surface that belongs to a particle (a length in 2D)")  \
     X(SurfaceFitted, fitted, scalar, "-", "1 where normal and curvature are fitted, else 0")                 \
     X(Exterior, exterior, scalar, "-", "1 for a particle that has one of the free surface in its support")   \
     X(Viscosity, mu, scalar, "Pa s", "dynamic viscosity")                                                    \

@@ -27,7 +27,10 @@ void ConsistentPressure<D>::list(Particles<D> const& particles, Neighbours<D> co
         std::size_t next = begin_[i];
         for_near(i, [&](Index j, Vector<double, D> const& x, double r2) {
             auto const [W, F] = kernel_(r2);
-            links_[next++] = {F * x, W, j};
+            auto const k = static_cast<std::size_t>(j);
+            double const weight = 4 * view.template at<Volume>()[i] * view.template at<Volume>()[k] /
+                                  (view.template at<Density>()[i] + view.template at<Density>()[k]);
+            links_[next++] = {F * x, W, -weight * F, j};
         });
     });
 }
@@ -123,7 +126,13 @@ void ConsistentPressure<D>::force(std::span<double const> p, std::vector<Vector<
 template <int D>
 void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
     force(p, velocity_);
-    divergence(1, velocity_, Ap);
+    divergence(1 - compact_share_, velocity_, Ap);
+    if (compact_share_ == 0) return;
+    for_each(p.size(), [&](std::size_t i) {
+        double sum = 0;
+        for (Link const& link : row(i)) sum += link.compact * (p[i] - p[static_cast<std::size_t>(link.j)]);
+        Ap[i] += compact_share_ * sum;
+    });
 }
 
 template <int D>
@@ -133,7 +142,7 @@ void ConsistentPressure<D>::accelerate(std::span<double const> p) {
     for_each(p.size(), [&](std::size_t i) { view.template set<Acceleration>(i, velocity_[i]); });
 }
 
-/// B_ij = V_i C_ij off the diagonal and -V_i g_i on it, so A_ii = sum_j |B_ij|^2/m_j.
+/// B_ij = V_i C_ij off the diagonal and -V_i g_i on it, so that of A is sum_j |B_ij|^2/m_j.
 template <int D>
 std::span<double const> ConsistentPressure<D>::diagonal() {
     if (!diagonal_.empty()) return diagonal_;
@@ -141,14 +150,15 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
     auto const view = particles_->view();
     for_each(diagonal_.size(), [&](std::size_t i) {
         Gradient const& at = gradient_[i];
-        double sum = norm2(at.g) / view.template at<Mass>()[i];
+        double sum = norm2(at.g) / view.template at<Mass>()[i], compact = 0;
         for (Link const& link : row(i)) {
             auto const j = static_cast<std::size_t>(link.j);
             sum += view.template at<Volume>()[j] / view.template at<Density>()[j] *
                    norm2(at.L * link.gradW - link.W * at.q);
+            compact += link.compact;
         }
         double const V = view.template at<Volume>()[i];
-        diagonal_[i] = V * V * sum;
+        diagonal_[i] = (1 - compact_share_) * V * V * sum + compact_share_ * compact;
     });
     return diagonal_;
 }

@@ -30,7 +30,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
           [&]() -> std::unique_ptr<PressureOperator<D>> {
               if (settings.pressure == Operator::consistent)
                   return std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel,
-                                                                 PressureGradientKind::corrected);
+                                                                 PressureGradientKind::corrected, settings.compact_share);
               auto thesis = std::make_unique<ThesisPressure<D>>(settings.pressure_kernel, settings.thesis);
               thesis_ = thesis.get();
               return thesis;

@@ -40,6 +40,7 @@ public:
         double sound_speed = 0;  ///< [m/s], of artificial viscosity alone
         PairTerms pair_terms;
         Operator pressure = Operator::consistent;
+        double compact_share = 0;  ///< of the consistent operator: how much of a compact Laplacian damps checkerboards
         typename ThesisPressure<D>::Options thesis;
         Preconditioning preconditioning = Preconditioning::multigrid;
         SolveLimits solve;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -116,17 +117,20 @@ void reconstruct_surface(Particles<D>& particles, Neighbours<D> const& neighbour
             fmt::format("the surface is fitted to particles within {:g} m, but neighbours are known up to "
                         "{:g} m: choose a narrower fit, or a kernel of wider support",
                         fit.width, neighbours.support()));
-    particles.allocate(Fields<SurfaceNormal, Curvature, SurfaceFitted>{});
+    particles.allocate(Fields<SurfaceNormal, Curvature, SurfaceArea, SurfaceFitted>{});
     auto const view = particles.view();
     auto const of_surface = [&](std::size_t i) { return view.template at<Surface>()[i] > 0; };
     for_each(particles.size(), [&](std::size_t i) {
         view.template set<SurfaceNormal>(
             i, of_surface(i) ? away_from_neighbours(view, neighbours, i, fit) : Vector<double, D>{});
-        view.template at<Curvature>()[i] = view.template at<SurfaceFitted>()[i] = 0;
+        view.template at<Curvature>()[i] = view.template at<SurfaceArea>()[i] = view.template at<SurfaceFitted>()[i] =
+            0;
     });
 
     Targets const surface = neighbours.targets(of_surface);
     std::vector<LocalSurface<D>> fits(surface.particles.size());
+    SurfaceFit const compact{fit.width};
+    double const norm = D == 2 ? 35 / (32 * fit.width) : 4 / (std::numbers::pi * fit.width * fit.width);
     for_blocks(surface.blocks(), [&](std::size_t block) {
         std::vector<Vector<double, D>> points;
         for (std::size_t k = surface.begin[block]; k < surface.begin[block + 1]; ++k) {
@@ -140,6 +144,9 @@ void reconstruct_surface(Particles<D>& particles, Neighbours<D> const& neighbour
                     points.push_back(view.template get<Position>(j) - x_i);
             }
             fits[k] = fit_surface<D>(points, outward, fit);
+            double per_area = norm;
+            for (auto const& x : points) per_area += norm * compact.weight(norm2(x));
+            view.template at<SurfaceArea>()[i] = 1 / per_area;
         }
     });
     for_each(fits.size(), [&](std::size_t k) {

@@ -14,6 +14,10 @@
 // The frame first points away from the mean of the neighbours (3.36), then along the normal that this gave: the second
 // fit has no slope left, and so no error from where the neighbours happened to be.
 //
+// The share of the surface that belongs to a particle is the inverse of their number per area there,
+//     1/A = sum_j w(r_ij), itself included, w = (1 - (r/width)^2)^3 normalised over the line or plane,
+// so that particles that crowd do not count for more surface than there is.
+//
 // Weights. A fit that counts all points alike, as printed, amplifies waves of three spacings: over three neighbours on
 // each side of a straight row, f = cos(q s/dx) has f'' = (-4 - 6 cos q + 10 cos 3q)/(42 dx^2), which is positive at q =
 // 2 pi/3. Weights (1 - (r/w)^2)^3 that vanish at w = 2.5 dx give -0.849 + 0.465 cos q + 0.384 cos 2q over dx^2, never
@@ -66,7 +70,7 @@ template <int D>
 LocalSurface<D> fit_surface(std::span<Vector<double, D> const> points, Vector<double, D> const& outward,
                             SurfaceFit const& fit);
 
-/// Sets SurfaceNormal, Curvature and SurfaceFitted at the particles that Surface marks, to 0 elsewhere. Surface
+/// Sets SurfaceNormal, Curvature, SurfaceArea and SurfaceFitted at the particles that Surface marks, to 0 elsewhere. Surface
 /// particles that face the other way, across a thin sheet or a gap, are left out of the fit. Where it fails the normal
 /// points away from the neighbours' mean; it is 0 where these do not say which side is out, as for a lone particle.
 /// Throws CaseError if the width is beyond the neighbours' lists.

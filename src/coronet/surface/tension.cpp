@@ -19,9 +19,9 @@ template <int D>
 void add_tension(Particles<D>& particles, SurfaceSettings const& settings) {
     auto const view = particles.view();
     std::size_t const n = particles.owned();
-    double const per_curvature = -settings.tension * std::pow(settings.spacing, D - 1);
     auto const force = [&](std::size_t i) {  // nothing inside, where the curvature is 0
-        return (per_curvature * view.template at<Curvature>()[i]) * view.template get<SurfaceNormal>(i);
+        return (-settings.tension * view.template at<Curvature>()[i] * view.template at<SurfaceArea>()[i]) *
+               view.template get<SurfaceNormal>(i);
     };
     Vector<double, D> mean;
     if (settings.remove_mean_force) {
@@ -41,8 +41,8 @@ double capillary_step(SurfaceSettings const& settings, double rho) {
     return std::sqrt(rho * dx * dx * dx / (4 * std::numbers::pi * settings.tension));
 }
 
-#define CORONET_INSTANTIATE(D)                                                                  \
-    template void find_surface(Particles<D>&, Neighbours<D> const&, SurfaceSettings const&);    \
+#define CORONET_INSTANTIATE(D)                                                               \
+    template void find_surface(Particles<D>&, Neighbours<D> const&, SurfaceSettings const&); \
     template void add_tension(Particles<D>&, SurfaceSettings const&);
 CORONET_INSTANTIATE(2)
 CORONET_INSTANTIATE(3)

@@ -2,9 +2,9 @@
 #pragma once
 
 // Surface tension as a force per area on the particles of the free surface, Lobo (2011) Eq 3.51,
-//     f_i = -sigma kappa_i n_i A,   A = spacing^(D-1) the area of a surface particle,
-// with normal and curvature from fits to the surface particles around (surface/reconstruct.hpp). The printed equation
-// lacks the area, and was added to an acceleration. Units: N (N per metre of depth in 2D).
+//     f_i = -sigma kappa_i n_i A_i,
+// with normal, curvature and the share A_i of the surface from the surface particles around (surface/reconstruct.hpp).
+// The printed equation lacks the area, and was added to an acceleration. Units: N (N per metre of depth in 2D).
 //
 // Nothing makes the sum of these forces vanish: momentum drifts. Chapter 5 there takes their mean off every one of them;
 // then momentum is kept, angular momentum is not.
