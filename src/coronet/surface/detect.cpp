@@ -11,15 +11,19 @@
 
 namespace coronet {
 
-template <int D>
-void mark_surface(Particles<D>& particles, Neighbours<D> const& neighbours, double radius) {
-    double const reach = 2 * radius;
-    if (!(reach <= neighbours.support()))
+void check_coverage_radius(double radius, double known) {
+    if (!(2 * radius <= known))
         throw CaseError(
             fmt::format("the free surface is sought with circles of radius {:g} m, which meet up to {:g} m "
                         "apart, but neighbours are known up to {:g} m: choose a coverage radius of at "
                         "most half the support of the kernel, or a wider kernel",
-                        radius, reach, neighbours.support()));
+                        radius, 2 * radius, known));
+}
+
+template <int D>
+void mark_surface(Particles<D>& particles, Neighbours<D> const& neighbours, double radius) {
+    check_coverage_radius(radius, neighbours.support());
+    double const reach = 2 * radius;
     particles.allocate(Fields<Surface>{});
     auto const view = particles.view();
     Targets const& all = neighbours.all();

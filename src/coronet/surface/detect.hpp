@@ -10,6 +10,9 @@
 
 namespace coronet {
 
+/// Throws CaseError if discs of that radius [m] may meet farther apart than neighbours are known.
+void check_coverage_radius(double radius, double known);
+
 /// Sets Surface to 1 for the particles of the free surface and to 0 for the others. `radius` is the coverage radius
 /// [m] of all of them; throws CaseError if the lists of neighbours do not reach twice as far.
 template <int D>
