@@ -26,6 +26,8 @@ struct Shape {
     double radius = 1;
     std::vector<double> size, semi_axes;
     double rotation = 0;
+    double amplitude = 0;  ///< of a drop, and its mode: those of the section `drop`
+    int mode = 2;
     std::vector<Cut> cuts;
 };
 
@@ -35,6 +37,7 @@ struct ProbeKeys {
     std::vector<double> at;
     std::vector<std::string> rates, semi_axes;
     std::string side = "1", angular_velocity = "1";
+    int mode = 2;
 };
 
 struct Case {
@@ -42,6 +45,11 @@ struct Case {
     int dimension = 2;
     std::map<std::string, double> parameters;
     std::vector<Shape> shapes;
+
+    struct {
+        double amplitude = 0.05;
+        int mode = 2;
+    } drop;
 
     struct {
         double spacing = 0;

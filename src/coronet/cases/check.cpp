@@ -93,6 +93,9 @@ void check_probes(Case const& c, Errors& errors) {
                     fmt::join(probe.semi_axes, ", "));
         if (probe.kind == "patch" && !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
             say(errors, "probes.{}.side = {} must be finite and above 0 m", k, probe.side);
+        if (probe.kind == "mode" && c.fluid.surface_tension == 0)
+            say(errors, "probes.{}: a mode oscillates by surface tension, but fluid.surface_tension is 0 N/m: set it",
+                k);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }

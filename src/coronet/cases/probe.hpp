@@ -17,9 +17,10 @@ namespace coronet {
 /// A number the case exists for.
 struct Measure {
     std::string name;
-    double value;
+    double value;  ///< NaN where it could not be had: `source` says why
     std::optional<double> reference, error;
     std::string source;
+    std::optional<double> standard_error = {};  ///< of a value that was fitted, in its unit
 };
 
 template <int D>
@@ -32,7 +33,11 @@ public:
     virtual std::vector<Measure> measures() const { return {}; }
 };
 
+/// The case must outlive its probes.
 template <int D>
 std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c);
+
+/// Whether neither gravity nor a body force acts, so that momentum and its moment are conserved.
+bool no_outer_force(Case const& c);
 
 }  // namespace coronet

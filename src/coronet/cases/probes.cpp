@@ -3,7 +3,9 @@
 #include <cmath>
 #include <type_traits>
 
+#include "coronet/cases/drop_probe.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/patch_probe.hpp"
 #include "coronet/cases/point_value.hpp"
 #include "coronet/cases/probe.hpp"
@@ -21,15 +23,6 @@ Vector<double, D> constants(std::vector<std::string> const& texts, Case const& c
     Vector<double, D> values;
     for (int k = 0; k < D; ++k) values[k] = Formula(texts[k], c.parameters)(Vector<double, D>{}, 0);
     return values;
-}
-
-bool no_outer_force(Case const& c) {
-    auto const is_zero = [](auto const& component) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(component)>, double>) return component == 0;
-        else return component == "0";
-    };
-    return std::all_of(c.fluid.gravity.begin(), c.fluid.gravity.end(), is_zero) &&
-           std::all_of(c.fluid.body_force.begin(), c.fluid.body_force.end(), is_zero);
 }
 
 /// Pressure, density or speed at a point.
@@ -147,6 +140,15 @@ private:
 
 }  // namespace
 
+bool no_outer_force(Case const& c) {
+    auto const is_zero = [](auto const& component) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(component)>, double>) return component == 0;
+        else return component == "0";
+    };
+    return std::all_of(c.fluid.gravity.begin(), c.fluid.gravity.end(), is_zero) &&
+           std::all_of(c.fluid.body_force.begin(), c.fluid.body_force.end(), is_zero);
+}
+
 template <int D>
 std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
     std::vector<std::unique_ptr<Probe<D>>> probes;
@@ -154,8 +156,11 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "value") probes.push_back(std::make_unique<ValueProbe<D>>(keys, c));
         if (keys.kind == "angular-momentum") probes.push_back(std::make_unique<AngularMomentumProbe<D>>(c));
         if (keys.kind == "stretching") probes.push_back(std::make_unique<StretchingProbe<D>>(keys, c));
-        if constexpr (D == 2)
+        if constexpr (D == 2) {
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
+            if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe>(c));
+            if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe>(keys, c));
+        }
     }
     return probes;
 }

@@ -2,6 +2,8 @@
 
 // The one list of keys: order, meaning, unit, range and default of everything a case file may say.
 
+#include <algorithm>
+
 #include "coronet/cases/case.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/kernels/kernel.hpp"
@@ -22,17 +24,24 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
     auto const wants = [&](std::string const& kind) { return keys.everything() || shape.kind == kind; };
     Keys::Words kinds{dimension == 2 ? "disc" : "ball", "box", "ellipse"};
     if (keys.everything()) kinds.insert(kinds.begin(), "ball");
+    if (dimension == 2) kinds.push_back("drop");
     if (dimension == 3 && shape.kind == "disc") shape.kind = "ball";
     std::vector<double> const origin(static_cast<std::size_t>(dimension), 0.0);
     std::vector<double> const unit(static_cast<std::size_t>(dimension), 1.0);
 
     keys.choice(
-        {.path = path + ".kind", .meaning = "form of the liquid; an ellipse in 3D is an ellipsoid", .required = true},
+        {.path = path + ".kind",
+         .meaning = "form of the liquid; an ellipse in 3D is an ellipsoid, a drop a disc with the wave of `drop`",
+         .required = true},
         shape.kind, kinds);
     if (shape.centre.empty()) shape.centre = origin;
     keys.numbers({.path = path + ".centre", .unit = "m", .meaning = "its centre"}, shape.centre, dimension);
-    if (wants("disc") || wants("ball"))
-        keys.number({.path = path + ".radius", .unit = "m", .meaning = "of a disc or ball", .above = 0}, shape.radius);
+    if (wants("disc") || wants("ball") || wants("drop"))
+        keys.number({.path = path + ".radius",
+                     .unit = "m",
+                     .meaning = "of a disc or ball; of a drop, that of the disc with its area",
+                     .above = 0},
+                    shape.radius);
     if (wants("box")) {
         if (shape.size.empty()) shape.size = unit;
         keys.numbers({.path = path + ".size", .unit = "m", .meaning = "edges of a box", .above = 0}, shape.size,
@@ -58,11 +67,29 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
         });
 }
 
+/// The wave on the shapes of kind drop.
+void describe_drop(Keys& keys, Case& c) {
+    auto const is_drop = [](Shape const& shape) { return shape.kind == "drop"; };
+    if (!keys.everything() && std::none_of(c.shapes.begin(), c.shapes.end(), is_drop)) return;
+    keys.number({.path = "drop.amplitude",
+                 .unit = "-",
+                 .meaning = "a of the radius 1 + a cos(n theta), over its mean, of shapes of kind drop",
+                 .at_least = -0.9,
+                 .at_most = 0.9},
+                c.drop.amplitude);
+    keys.integer({.path = "drop.mode", .unit = "-", .meaning = "n of the same", .at_least = 2, .at_most = 100},
+                 c.drop.mode);
+    for (Shape& shape : c.shapes) {
+        shape.amplitude = c.drop.amplitude;
+        shape.mode = c.drop.mode;
+    }
+}
+
 void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int dimension) {
     auto const wants = [&](std::string const& kind) { return keys.everything() || probe.kind == kind; };
     std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
-    if (dimension == 2) kinds.push_back("patch");
+    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode"});
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
     if (wants("value")) {
         keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
@@ -88,6 +115,13 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
             {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
             probe.angular_velocity);
     }
+    if (wants("mode"))
+        keys.integer({.path = path + ".mode",
+                      .unit = "-",
+                      .meaning = "n of the amplitude of cos(n theta) on a drop",
+                      .at_least = 2,
+                      .at_most = 100},
+                     probe.mode);
 }
 
 void describe_projection(Keys& keys, Case& c) {
@@ -176,6 +210,7 @@ void describe(Keys& keys, Case& c) {
         {.path = "shapes", .meaning = "the liquid at the start: the union of these shapes", .required = true},
         c.shapes.size(), [&](std::size_t n) { c.shapes.resize(n); },
         [&](std::size_t k, std::string const& path) { describe_shape(keys, c.shapes[k], path, D); });
+    describe_drop(keys, c);
 
     auto& p = c.particles;
     keys.number({.path = "particles.spacing",

@@ -21,6 +21,13 @@ Vector<double, D> turned(Vector<double, D> const& x, double degrees) {
     return y;
 }
 
+/// The radius [m] of a shape of kind drop at a polar angle, R0 (1 + a cos n theta): its area is that of the disc of the
+/// shape's radius, R0^2 (1 + a^2/2).
+inline double drop_radius(Shape const& shape, double angle) {
+    double const a = shape.amplitude;
+    return shape.radius / std::sqrt(1 + a * a / 2) * (1 + a * std::cos(shape.mode * angle));
+}
+
 /// Whether x [m] is inside; `slack` [m] keeps points that round-off would put just outside.
 template <int D>
 bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
@@ -33,6 +40,8 @@ bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
         inside = norm2(y) <= (shape.radius + slack) * (shape.radius + slack);
     } else if (shape.kind == "box") {
         for (int k = 0; k < D; ++k) inside = inside && std::fabs(y[k]) <= shape.size[k] / 2 + slack;
+    } else if (shape.kind == "drop") {
+        inside = std::sqrt(norm2(y)) <= drop_radius(shape, std::atan2(y[1], y[0])) + slack;
     } else {
         double q = 0;
         for (int k = 0; k < D; ++k) q += std::pow(y[k] / (shape.semi_axes[k] + slack), 2);
@@ -54,7 +63,10 @@ template <int D>
 Vector<double, D> half_extents(Shape const& shape) {
     Vector<double, D> half;
     for (int k = 0; k < D; ++k)
-        half[k] = shape.kind == "box" ? shape.size[k] / 2 : shape.kind == "ellipse" ? shape.semi_axes[k] : shape.radius;
+        half[k] = shape.kind == "box"       ? shape.size[k] / 2
+                  : shape.kind == "ellipse" ? shape.semi_axes[k]
+                  : shape.kind == "drop"    ? shape.radius * (1 + std::fabs(shape.amplitude))
+                                            : shape.radius;
     return half;
 }
 

@@ -146,6 +146,7 @@ void Recorder<D>::summary(std::string const& status, std::string const& message,
             entry["value"] = m.value;
             if (m.reference) entry["reference"] = *m.reference;
             if (m.error) entry["error"] = *m.error;
+            if (m.standard_error) entry["standard_error"] = *m.standard_error;
             if (!m.source.empty()) entry["source"] = m.source;
         }
     write_whole(directory_ / "summary.json", json.dump(2) + "\n");
