@@ -7,7 +7,7 @@ from pathlib import Path
 if not __package__:  # started by its path, as `coronet plot` does
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from coronet_plot import curves, drop, history, pictures, rheology, style
+from coronet_plot import curves, drop, droplet, history, pictures, rheology, style
 from coronet_plot.run import Mistake, Run
 
 # Every figure: its file, who draws it, and whether a run has what it shows. Curves stand first: where a frame
@@ -20,8 +20,11 @@ FIGURES = [
     ("flow_curve.png", rheology.flow_curve, lambda run: run.flow_curve),
     ("history.png", history.history, lambda run: run.has("kinetic_energy", "spacing_min")),
     ("patch_history.png", curves.corner_radius, lambda run: run.has("corner_radius")),
+    ("mode.png", droplet.mode, lambda run: run.has("mode_amplitude")),
+    ("droplet_history.png", droplet.droplet_history, lambda run: run.has("circularity", "area", "spacing_p01")),
     ("particles.png", pictures.particles, lambda run: run.frames),
     ("patch.png", pictures.patch, lambda run: run.has("corner_radius") and run.frames),
+    ("droplet.png", droplet.droplet, lambda run: run.has("circularity") and run.frames),
     ("drop.png", drop.drop, lambda run: run.stretches and run.frames),
 ]
 

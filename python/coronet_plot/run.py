@@ -26,7 +26,8 @@ class Run:
         curve = self.directory / "flow_curve.csv"
         self.flow_curve = read_table(curve, "shear_rate", "stress", "fit", "as_run") if curve.is_file() else None
         self.frames = read_frame_list(self.directory)
-        self.failed = read_failure(self.directory / "summary.json")
+        summary = read_summary(self.directory / "summary.json")
+        self.failed, self.measures = failure(summary), summary.get("measures", {})
 
     def has(self, *columns):
         return all(column in self.series for column in columns)
@@ -110,13 +111,18 @@ def read_table(path, *needed):
     return dict(zip(header, table.T))
 
 
-def read_failure(path):
-    """None, or the time at which the run failed, from its message. A run that goes on has no summary yet."""
+def read_summary(path):
+    """What the run says of itself at its end. One that goes on has no summary yet."""
     try:
         summary = json.loads(path.read_text())
     except (OSError, ValueError):
-        return None
-    if not isinstance(summary, dict) or summary.get("status") != "failed":
+        return {}
+    return summary if isinstance(summary, dict) else {}
+
+
+def failure(summary):
+    """None, or the time at which the run failed, from its message."""
+    if summary.get("status") != "failed":
         return None
     found = re.search(r"failed at t = ([-+.\de]+) s", str(summary.get("message")))
     return float(found[1]) if found else float("nan")

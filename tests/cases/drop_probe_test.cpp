@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/cases/drop_probe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "coronet/cases/drop_outline.hpp"
+#include "coronet/cases/mode_probe.hpp"
+#include "coronet/cases/oscillation_fit.hpp"
+#include "coronet/cases/read.hpp"
+
+namespace coronet {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double R = 20, spacing = 1;
+
+Case drop_case(std::vector<std::string> const& more = {}) {
+    return read_case(R"(name = "drop"
+dimension = 2
+[[shapes]]
+kind = "disc"
+radius = 20.0
+[particles]
+spacing = 1.0
+[fluid]
+density = 2.0
+viscosity = 0.2
+surface_tension = 10.0
+sound_speed = 100.0
+[time]
+end = 1.0
+)",
+                     "drop.toml", more);
+}
+
+/// A drop of shells of particles, a spacing apart, displaced by the potential flow of mode n.
+Particles<2> drop(double a, int n, double turn = 0, Vector<double, 2> const& centre = {},
+                  Vector<double, 2> const& velocity = {}) {
+    std::vector<Vector<double, 2>> points;
+    for (double r = R - spacing / 2; r > 0.4; r -= spacing) {
+        int const count = static_cast<int>(std::lround(2 * pi * r));
+        for (int k = 0; k < count; ++k) {
+            double const angle = 2 * pi * (k + 0.3) / count;
+            auto const z = std::polar(r, angle);
+            auto const moved = z + a * R * std::conj(std::polar(std::pow(r / R, n - 1), (n - 1) * angle - n * turn));
+            points.push_back({{moved.real() + centre[0], moved.imag() + centre[1]}});
+        }
+    }
+    Particles<2> particles(points.size());
+    particles.allocate(Fields<Position, Velocity, Density, Mass>{});
+    auto const view = particles.view();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        view.set<Position>(i, points[i]);
+        view.set<Velocity>(i, velocity);
+        view.set<Density>(i, 2.0);
+        view.set<Mass>(i, 2.0 * pi * R * R / static_cast<double>(points.size()));
+    }
+    return particles;
+}
+
+std::map<std::string, Measure> by_name(std::vector<Measure> const& measures) {
+    std::map<std::string, Measure> named;
+    for (Measure const& m : measures) named.emplace(m.name, m);
+    return named;
+}
+
+TEST(ModeOf, IsTheAmplitudeAndThePhaseOfAWave) {
+    for (int const n : {2, 3, 4, 7}) {
+        Polygon line;
+        int const corners = 200;
+        for (int k = 0; k < corners; ++k) {
+            double const angle = 2 * pi * (k + 0.3 * std::sin(k)) / corners;  // uneven
+            double const r = 3 + 0.2 * std::cos(n * (angle - 0.4));
+            line.push_back({{r * std::cos(angle), r * std::sin(angle)}});
+        }
+        double const step = n * 2 * pi / corners;
+        auto const found = mode_of(line, n);
+        EXPECT_NEAR(std::abs(found), 0.2, 0.2 * step * step / 6) << n;
+        EXPECT_NEAR(std::remainder(std::arg(found) + 0.4 * n, 2 * pi), 0, step * step / 6) << n;
+        EXPECT_NEAR(std::abs(mode_of(line, n + 1)), 0, 0.2 * step * step) << n;
+    }
+}
+
+TEST(ModeOf, ACircleIsNothingHoweverItsCornersLie) {
+    std::mt19937 engine(1);
+    std::uniform_real_distribution<double> step(0.01, 0.1);
+    Polygon line;
+    for (double angle = 0; angle < 2 * pi; angle += step(engine))
+        line.push_back({{2 * std::cos(angle), 2 * std::sin(angle)}});
+    for (int const n : {2, 3, 4}) EXPECT_NEAR(std::abs(mode_of(line, n)), 0, 1e-15);
+}
+
+TEST(OscillationFit, FindsWhatIsInNoise) {
+    for (double const noise : {0.0, 1e-4, 1e-2}) {
+        int within = 0, runs = 20;
+        for (int run = 0; run < runs; ++run) {
+            std::mt19937 engine(static_cast<unsigned>(run));
+            std::normal_distribution<double> scatter(0, 1);
+            std::vector<double> times, values;
+            for (int k = 0; k < 400; ++k) {
+                times.push_back(3 + 0.02 * k);
+                double const t = times.back() - 3;
+                values.push_back(0.1 * std::exp(-0.3 * t) * std::cos(6.5 * t + 0.7) + 0.01 + noise * scatter(engine));
+            }
+            auto const fit = fit_oscillation(times, values, 5 + 0.3 * run);  // expected 20 % below to 65 % above
+            ASSERT_TRUE(fit.has_value());
+            if (noise == 0) {
+                EXPECT_NEAR(fit->angular_frequency, 6.5, 1e-9);
+                EXPECT_NEAR(fit->damping, 0.3, 1e-9);
+                EXPECT_NEAR(fit->amplitude, 0.1, 1e-10);
+                EXPECT_NEAR(std::remainder(fit->phase - 0.7, 2 * pi), 0, 1e-9);
+                EXPECT_NEAR(fit->offset, 0.01, 1e-10);
+                ++within;
+            } else {
+                within += std::fabs(fit->angular_frequency - 6.5) < 2 * fit->angular_frequency_error &&
+                          std::fabs(fit->damping - 0.3) < 2 * fit->damping_error;
+                // Of w and of b alike, sqrt(2) noise/amplitude over the root of the integral of t^2 exp(-2 b t).
+                EXPECT_NEAR(fit->damping_error, fit->angular_frequency_error, 0.2 * fit->damping_error);
+            }
+        }
+        EXPECT_GE(within, 15) << noise;  // of 20, of which 91 % are expected
+    }
+}
+
+TEST(OscillationFit, OfTooFewSamplesOrNoNumbersIsNothing) {
+    std::vector<double> times, values;
+    for (int k = 0; k < 100; ++k) {
+        times.push_back(0.1 * k);
+        values.push_back(std::cos(times.back()));
+    }
+    EXPECT_TRUE(fit_oscillation(times, values, 1));
+    EXPECT_FALSE(fit_oscillation({times.begin(), times.begin() + 10}, {values.begin(), values.begin() + 10}, 1));
+    values[50] = NAN;
+    EXPECT_FALSE(fit_oscillation(times, values, 1));
+}
+
+TEST(DropProbe, SeesADropAsItIs) {
+    auto const c = drop_case();
+    DropProbe probe(c);
+    auto const row = probe.sample(0, drop(0, 2));
+    EXPECT_NEAR(row[0], 1, 0.01);
+    EXPECT_NEAR(row[1], R, 2e-3 * R);
+    EXPECT_NEAR(row[2], pi * R * R, 2e-3 * pi * R * R);
+    EXPECT_EQ(row[3], std::lround(2 * pi * (R - 0.5)));
+    EXPECT_EQ(row[4], 0);
+    EXPECT_NEAR(row[5], 1, 0.03);
+
+    DropProbe oval(c);
+    auto const stretched = oval.sample(0, drop(0.1, 2));
+    EXPECT_NEAR(stretched[0], 1.1 / 0.9, 0.02);
+    EXPECT_NEAR(by_name(oval.measures()).at("circularity_final").value, stretched[0], 0);
+}
+
+TEST(DropProbe, MeasuresDriftFromTheLineOfTheFirstMomentum) {
+    auto const c = drop_case();
+    Vector<double, 2> const v{{3, -1}};
+    DropProbe straight(c), bent(c);
+    double const capillary = std::sqrt(10 / (2 * R));
+    for (int k = 0; k <= 4; ++k) {
+        double const t = 0.5 * k;
+        straight.sample(t, drop(0, 2, 0, t * v, v));
+        Vector<double, 2> const aside{{0, k == 2 ? 0.01 * R : 0}}, faster{{k == 3 ? 0.02 * capillary : 0, 0}};
+        bent.sample(t, drop(0, 2, 0, t * v + aside, v + faster));
+    }
+    auto const right = by_name(straight.measures()), wrong = by_name(bent.measures());
+    EXPECT_LT(right.at("centre_drift").value, 1e-13);
+    EXPECT_LT(right.at("momentum_drift").value, 1e-12);
+    EXPECT_NEAR(wrong.at("centre_drift").value, 0.01, 1e-12);
+    EXPECT_NEAR(wrong.at("momentum_drift").value, 0.02, 1e-12);
+    EXPECT_TRUE(right.at("centre_drift").reference.has_value());
+
+    auto const falling = drop_case({"fluid.gravity=[0, -9.81]"});
+    DropProbe pulled(falling);
+    pulled.sample(0, drop(0, 2));
+    EXPECT_FALSE(by_name(pulled.measures()).at("centre_drift").reference.has_value());
+}
+
+TEST(DropProbe, TellsTheLastAndTheLargestErrorOfTheArea) {
+    auto const c = drop_case();
+    DropProbe probe(c);
+    double const first = probe.sample(0, drop(0, 2))[2];
+    double const worst = probe.sample(1, drop(0.3, 2))[2];  // the flow of mode 2 that far takes a^2 of the area
+    double const last = probe.sample(2, drop(0.1, 2))[2];
+    ASSERT_GT(std::fabs(worst - first), 0.05 * first);
+    auto const measures = by_name(probe.measures());
+    EXPECT_NEAR(measures.at("area_error").value, last / (pi * R * R) - 1, 1e-13);
+    EXPECT_NEAR(measures.at("area_error_max").value, std::fabs(worst / (pi * R * R) - 1), 1e-13);
+}
+
+TEST(ModeProbe, FindsPeriodAndDampingOfADropWhateverItsAxis) {
+    auto const c = drop_case();
+    auto const exact = drop_mode(3, R, 2, 10, 0.2);
+    ASSERT_TRUE(exact.has_value());
+    double const w = 0.96 * exact->angular_frequency, b = 1.3 * exact->damping;
+    for (double const turn : {0.0, 0.5}) {
+        ProbeKeys keys;
+        keys.mode = 3;
+        ModeProbe probe(keys, c);
+        std::vector<double> first;
+        for (int k = 0; k <= 240; ++k) {
+            double const t = k * 6 * 2 * pi / (240 * w);
+            auto const row = probe.sample(t, drop(0.04 * std::exp(-b * t) * std::cos(w * t), 3, turn));
+            if (k == 0) first = row;
+            EXPECT_NEAR(row[1], 0, 4e-4);
+        }
+        // The outermost shell is half a spacing inside, where the flow goes as r^2.
+        EXPECT_NEAR(first[0], 0.04 * std::pow(1 - 0.5 * spacing / R, 2), 0.04 * 0.01);
+        auto const measures = by_name(probe.measures());
+        auto const &period = measures.at("period"), &damping = measures.at("damping_rate");
+        EXPECT_NEAR(*period.reference, 2 * pi / exact->angular_frequency, 1e-12 * period.value);
+        EXPECT_NEAR(*damping.reference, exact->damping, 1e-12 * exact->damping);
+        EXPECT_NEAR(*period.error, 1 / 0.96 - 1, 1e-3);
+        EXPECT_NEAR(*damping.error, 0.3, 0.03);
+        EXPECT_GT(*period.standard_error, 0);
+        EXPECT_LT(*period.standard_error, 1e-3 * period.value);
+    }
+}
+
+TEST(ModeProbe, SaysWhyThereIsNoMeasure) {
+    ProbeKeys const keys;
+    auto const c = drop_case(), thick = drop_case({"fluid.viscosity=30"});
+    ModeProbe brief(keys, c), stiff(keys, thick);
+    EXPECT_TRUE(brief.measures().empty());
+    for (auto* probe : {&brief, &stiff}) probe->sample(0, drop(0.04, 2));
+    for (auto const* probe : {&brief, &stiff}) {
+        auto const period = by_name(probe->measures()).at("period");
+        EXPECT_TRUE(std::isnan(period.value));
+        EXPECT_TRUE(period.source.starts_with("not fitted")) << period.source;
+    }
+    EXPECT_NE(by_name(stiff.measures()).at("period").source.find("does not oscillate"), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace coronet
