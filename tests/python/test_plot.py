@@ -14,7 +14,7 @@ PYTHON = Path(__file__).resolve().parents[2] / "python"
 sys.path.insert(0, str(PYTHON))
 sys.dont_write_bytecode = True
 
-from coronet_plot import drop, history, pictures, rheology, style
+from coronet_plot import drop, droplet, history, pictures, rheology, style
 from coronet_plot.frame import Frame
 from coronet_plot.run import Run
 
@@ -33,6 +33,11 @@ FALLING = {"time": numpy.linspace(0, 0.01, 21), "particles": numpy.full(21, 317)
            "angular_momentum_z": numpy.linspace(2, 3, 21), "kinetic_energy": numpy.linspace(0, 4e-3, 21),
            "spacing_min": numpy.linspace(1, 0.9, 21), "inside": numpy.linspace(0, 5e3, 21),
            "angular_momentum_drift": numpy.linspace(0, 0.5, 21), "rho": numpy.linspace(1000, 1001, 21)}
+TIME = numpy.linspace(0, 2, 201)
+DROPLET = {"time": TIME, "mass": numpy.full(201, 2.0), "spacing_min": numpy.full(201, 0.8),
+           "kinetic_energy": numpy.zeros(201), "circularity": numpy.linspace(1.4, 1, 201),
+           "area": numpy.linspace(2e-3, 1.99e-3, 201), "spacing_p01": numpy.full(201, 0.9),
+           "mode_amplitude": 0.1 * numpy.exp(-0.5 * TIME) * numpy.cos(2 * numpy.pi * TIME / 0.4) + 0.01}
 PROBES = """
 [[probes]]
 kind = "value"
@@ -140,6 +145,23 @@ class Plot(unittest.TestCase):
         panels = history.values([Run(runs[0])]).axes
         self.assertEqual([axes.get_ylabel() for axes in panels], ["pressure (kPa)", "density (kg/m³)"])
         self.assertEqual(panels[0].get_title(loc="left"), "inside, at (0, 0.1) mm")
+
+    def test_a_drop_gets_its_mode_with_the_fit_and_theory_beside_it(self):
+        run = write_run(self.folder / "run", "droplet", DROPLET,
+                        more='[fluid]\ndensity = 1000.0\n[[probes]]\nkind = "mode"\nmode = 4\n')
+        self.assertIsNone(droplet.fit(Run(run)))  # it has not ended yet
+        measures = {"period": {"value": 0.4, "reference": 0.5}, "damping_rate": {"value": 0.5, "reference": 0.0}}
+        (run / "summary.json").write_text(json.dumps({"status": "done", "measures": measures}))
+        time, fitted = droplet.fit(Run(run))
+        self.assertAlmostEqual(time[0], 0.5)  # one period of theory later
+        numpy.testing.assert_allclose(fitted, DROPLET["mode_amplitude"][DROPLET["time"] >= 0.5], atol=1e-12)
+        numpy.testing.assert_allclose(droplet.exact(Run(run)), 0.11 * numpy.cos(2 * numpy.pi * TIME / 0.5),
+                                      atol=1e-12)
+        self.assertEqual(droplet.mode([Run(run)]).axes[0].get_ylabel(), "amplitude of mode 4, over the radius")
+        self.assert_draws(plot(run), run, "history.png", "mode.png", "droplet_history.png")
+        measures["period"]["value"] = None  # it could not be fitted
+        (run / "summary.json").write_text(json.dumps({"status": "done", "measures": measures}))
+        self.assertIsNone(droplet.fit(Run(run)))
 
     def test_a_flow_curve_is_drawn_with_the_law_fitted_to_it(self):
         run = write_run(self.folder / "run", "falling", FALLING, more='[fluid]\nrheology = "bingham"\n')
