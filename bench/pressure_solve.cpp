@@ -89,8 +89,8 @@ template <int D>
 std::unique_ptr<PressureOperator<D>> make_operator(std::string const& name, Options const& o, double dx,
                                                    Particles<D> const& particles) {
     Kernel const kernel = make_kernel(o.kernel, D, o.support * dx);
-    if (name == "sph") return std::make_unique<ConsistentPressure<D>>(kernel, PressureGradientKind::plain);
-    if (name == "fpm") return std::make_unique<ConsistentPressure<D>>(kernel, PressureGradientKind::corrected);
+    if (name == "sph") return std::make_unique<ConsistentPressure<D>>(kernel, GradientKind::plain);
+    if (name == "fpm") return std::make_unique<ConsistentPressure<D>>(kernel, GradientKind::corrected);
     auto made = std::make_unique<ThesisPressure<D>>(
         kernel, typename ThesisPressure<D>::Options{SurfacePressure::mirrored, dx, false});
     std::vector<Vector<double, D>> normals(particles.size());

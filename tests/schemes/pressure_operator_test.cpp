@@ -21,7 +21,7 @@ Kernel kernel(Body<D> const& body) {
 }
 
 template <int D>
-std::unique_ptr<PressureOperator<D>> consistent(Body<D> const& body, PressureGradientKind kind) {
+std::unique_ptr<PressureOperator<D>> consistent(Body<D> const& body, GradientKind kind) {
     return std::make_unique<ConsistentPressure<D>>(kernel(body), kind);
 }
 template <int D>
@@ -35,7 +35,7 @@ std::unique_ptr<ThesisPressure<D>> thesis(Body<D> const& body, SurfacePressure s
 template <int D>
 std::vector<std::unique_ptr<PressureOperator<D>>> every_operator(Body<D> const& body) {
     std::vector<std::unique_ptr<PressureOperator<D>>> all;
-    for (auto kind : {PressureGradientKind::plain, PressureGradientKind::corrected})
+    for (auto kind : {GradientKind::plain, GradientKind::corrected})
         all.push_back(consistent(body, kind));
     for (auto surface : {SurfacePressure::free, SurfacePressure::zero, SurfacePressure::mirrored})
         for (bool lattice_diagonal : {false, true}) all.push_back(thesis(body, surface, lattice_diagonal));
@@ -67,7 +67,7 @@ void expect_symmetry_and_the_right_diagonal(int spacings) {
 template <int D>
 void expect_no_divergence_left(int spacings, double jitter) {
     auto const b = body<D>(spacings, jitter, support);
-    for (auto kind : {PressureGradientKind::plain, PressureGradientKind::corrected}) {
+    for (auto kind : {GradientKind::plain, GradientKind::corrected}) {
         set_smooth_velocity(b->particles);
         std::size_t const n = b->particles.size();
         double const dt = 1e-3, tolerance = 1e-7;
@@ -113,7 +113,7 @@ TEST(ConsistentPressure, ForcesKeepMomentumAndAngularMomentum) {
         auto const b = body<D>(spacings, 0.2, support);
         std::size_t const n = b->particles.size();
         auto const p = random_numbers(n, 3);
-        for (auto kind : {PressureGradientKind::plain, PressureGradientKind::corrected}) {
+        for (auto kind : {GradientKind::plain, GradientKind::corrected}) {
             auto const A = consistent(*b, kind);
             A->set_up(b->particles, b->neighbours);
             A->accelerate(p);
@@ -149,7 +149,7 @@ TEST(ConsistentPressure, TakesTheEnergyOfWhatItTakesAway) {
     };
     auto const velocity = [&](std::size_t i) { return view.get<Velocity>(i); };
     double const dt = 1e-3, before = energy(velocity);
-    Projection<2> projection(consistent(*b, PressureGradientKind::corrected), Preconditioning::jacobi, b->dx,
+    Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx,
                              {1e-10, 3000});
     ASSERT_TRUE(projection.project(b->particles, b->neighbours, dt).converged);
     auto const dv = b->particles.view();
@@ -166,7 +166,7 @@ TEST(ConsistentPressure, LeavesARigidMotionAlone) {
         auto const x = view.get<Position>(i);
         view.set<Velocity>(i, {{7 - 3 * x[1], -2 + 3 * x[0]}});
     }
-    auto const A = consistent(*b, PressureGradientKind::corrected);
+    auto const A = consistent(*b, GradientKind::corrected);
     A->set_up(b->particles, b->neighbours);
     std::vector<double> source(b->particles.size());
     A->source(1, source);
@@ -188,7 +188,7 @@ TEST(ConsistentPressure, OnALatticeIsOfFirstOrderInTheSpacing) {
             slope[0] += (R2 - norm2(x)) / 2;
             view.set<Velocity>(i, dt * slope);
         }
-        Projection<2> projection(consistent(*b, PressureGradientKind::corrected), Preconditioning::jacobi, b->dx,
+        Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx,
                                  {1e-4, 3000});
         EXPECT_TRUE(projection.project(b->particles, b->neighbours, dt).converged);
         double difference = 0, size = 0;
@@ -211,7 +211,7 @@ TEST(Projection, GivesTheSameBitsForAnyNumberOfThreads) {
         set_smooth_velocity(b->particles);
         Projection<2> projection(thesis(*b, SurfacePressure::mirrored), preconditioning, b->dx, {1e-8, 3000});
         EXPECT_TRUE(projection.project(b->particles, b->neighbours, 1e-3).converged);
-        Projection<2> again(consistent(*b, PressureGradientKind::corrected), preconditioning, b->dx, {1e-2, 3000});
+        Projection<2> again(consistent(*b, GradientKind::corrected), preconditioning, b->dx, {1e-2, 3000});
         EXPECT_TRUE(again.project(b->particles, b->neighbours, 1e-3).converged);
         auto const p = b->particles.get<Pressure>();
         return std::vector<double>(p.begin(), p.end());
@@ -235,7 +235,7 @@ TEST(Projection, StartsFromThePressureOfBefore) {
 TEST(Projection, SaysThatItHasNotConverged) {
     auto const b = body<2>(12, 0.2, support);
     set_smooth_velocity(b->particles);
-    Projection<2> projection(consistent(*b, PressureGradientKind::plain), Preconditioning::jacobi, b->dx, {1e-8, 5});
+    Projection<2> projection(consistent(*b, GradientKind::plain), Preconditioning::jacobi, b->dx, {1e-8, 5});
     auto const solved = projection.project(b->particles, b->neighbours, 1e-3);
     EXPECT_FALSE(solved.converged);
     EXPECT_EQ(solved.iterations, 5);

@@ -76,7 +76,8 @@ struct Case {
                     kernel = "quintic-spline", precision = "double";
         double support = 3.9, skin = 0;
         PairTerms pair_terms;
-        std::string pressure_operator = "consistent", pressure_kernel, preconditioner = "multigrid";
+        std::string viscous_step = "explicit", pressure_operator = "consistent", pressure_kernel,
+                    preconditioner = "multigrid";
         double pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
         int most_iterations = 1000;
         bool lattice_diagonal = false;

@@ -126,6 +126,10 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
 
 void describe_projection(Keys& keys, Case& c) {
     auto& m = c.method;
+    keys.choice({.path = "method.viscous_step",
+                 .meaning = "of the projection: explicit, whose length viscosity limits; or implicit, of any length, "
+                            "for stiff liquids"},
+                m.viscous_step, {"explicit", "implicit"});
     keys.choice({.path = "method.pressure_operator",
                  .meaning = "consistent: force and divergence are each other's transpose, an exact projection; thesis: "
                             "Lobo (2011), an approximate one"},
@@ -146,7 +150,7 @@ void describe_projection(Keys& keys, Case& c) {
                 m.preconditioner, {"jacobi", "multigrid"});
     keys.number({.path = "method.tolerance",
                  .unit = "-",
-                 .meaning = "of the solve: the residual over the right-hand side",
+                 .meaning = "of each solve: the residual over the right-hand side",
                  .above = 0,
                  .at_most = 0.1},
                 m.tolerance);

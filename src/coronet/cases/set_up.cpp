@@ -125,6 +125,8 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.density = c.fluid.density;
     s.sound_speed = c.fluid.sound_speed;
     s.pair_terms = c.method.pair_terms;
+    s.viscous_step =
+        c.method.viscous_step == "implicit" ? Scheme::Viscous::implicit_step : Scheme::Viscous::explicit_step;
     s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;
     s.compact_share = c.method.compact_share;
     s.thesis = {c.surface.pressure == "zero"       ? SurfacePressure::zero

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/incompressible.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,8 +30,8 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
       projection_(
           [&]() -> std::unique_ptr<PressureOperator<D>> {
               if (settings.pressure == Operator::consistent)
-                  return std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel,
-                                                                 PressureGradientKind::corrected, settings.compact_share);
+                  return std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel, GradientKind::corrected,
+                                                                 settings.compact_share);
               auto thesis = std::make_unique<ThesisPressure<D>>(settings.pressure_kernel, settings.thesis);
               thesis_ = thesis.get();
               return thesis;
@@ -38,8 +39,11 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
           settings.preconditioning, settings.surface.spacing, settings.solve) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, Acceleration, PositionBefore,
                                VelocityBefore, Surface>{});
+    bool const is_viscous = !settings_.liquid.is_inviscid();
+    bool const implicit = settings_.viscous_step == Viscous::implicit_step;
     if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
-    if (!settings_.liquid.is_inviscid())
+    if (is_viscous && implicit) viscous_step_.emplace(settings_.kernel, settings_.liquid, settings_.solve);
+    if (is_viscous && !implicit)
         particles_.allocate(Fields<DensityRate, Stress, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
     auto const view = particles_.view();
@@ -96,7 +100,7 @@ StepLimit Incompressible<D>::time_limit() const {
     };
     vote(a > 0 ? 0.25 * std::sqrt(h / a) : never, "force");
     vote(step_limit(settings_.pair_terms, h, settings_.sound_speed), "pair terms");
-    vote(mu > 0 ? 0.125 * h * h * rho / mu : never, "viscosity");
+    if (!viscous_step_) vote(mu > 0 ? 0.125 * h * h * rho / mu : never, "viscosity");
     vote(capillary_step(settings_.surface, rho), "capillary waves");
     return limit;
 }
@@ -118,11 +122,7 @@ void Incompressible<D>::advance(double time, double step) {
     if (needs_surface()) phases_.act("surface", [&] { look_at_surface(); });
     forces(time + 0.5 * step);
     if (has_tension()) phases_.act("surface", [&] { add_tension(particles_, settings_.surface); });
-    phases_.act("predict", [&] {
-        for_each(n, [&](std::size_t i) {
-            view.template set<Velocity>(i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
-        });
-    });
+    push(step);
     phases_.act("projection", [&] { project(step); });
     phases_.act("correct", [&] {
         for_each(n, [&](std::size_t i) {
@@ -145,11 +145,11 @@ void Incompressible<D>::look_at_surface() {
     thesis_->set_normals(std::move(normals));
 }
 
-/// Sets Acceleration to that of every force but pressure and surface tension.
+/// Sets Acceleration to that of every force but pressure, surface tension and an implicit viscous stress.
 template <int D>
 void Incompressible<D>::forces(double time) {
     auto const view = particles_.view();
-    bool const viscous = !settings_.liquid.is_inviscid();
+    bool const viscous = !settings_.liquid.is_inviscid() && !viscous_step_;
     auto const sweep_of = [&](auto const& part) {
         sweep(particles_, neighbours_, settings_.kernel, Precision::full, part);
     };
@@ -176,6 +176,34 @@ void Incompressible<D>::forces(double time) {
     if (settings_.body_force) phases_.act("body force", [&] { settings_.body_force(time, view, particles_.owned()); });
 }
 
+/// From v to v*.
+template <int D>
+void Incompressible<D>::push(double step) {
+    auto const view = particles_.view();
+    if (!viscous_step_) {
+        phases_.act("predict", [&] {
+            for_each(particles_.size(), [&](std::size_t i) {
+                view.template set<Velocity>(i,
+                                            view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
+            });
+        });
+        return;
+    }
+    phases_.act("viscous step", [&] { viscous_solved_ = viscous_step_->advance(particles_, neighbours_, step); });
+    auto const& viscous = viscous_step_->viscous();
+    counters_.singular_now = static_cast<std::int64_t>(viscous.singular_matrices());
+    counters_.singular_matrices += counters_.singular_now;
+    if (!settings_.liquid.is_newtonian())
+        std::copy(viscous.viscosity().begin(), viscous.viscosity().end(), view.template at<Viscosity>());
+    if (!viscous_solved_.converged)
+        throw RunError(
+            fmt::format("the viscous step did not converge: after {} iterations in its two solves the residual is "
+                        "{:.2g} of the right-hand side, and {:.2g} is asked for (method.tolerance), with at most {} "
+                        "iterations a solve (method.most_iterations)",
+                        viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
+                        settings_.solve.most_iterations));
+}
+
 template <int D>
 void Incompressible<D>::project(double step) {
     solved_ = projection_.project(particles_, neighbours_, step);
@@ -189,9 +217,11 @@ void Incompressible<D>::project(double step) {
 
 template <int D>
 std::vector<Reading> Incompressible<D>::readings() const {
-    return {{"singular_matrices", static_cast<double>(counters_.singular_now)},
-            {"solver_iterations", static_cast<double>(solved_.iterations)},
-            {"divergence_max", divergence_}};
+    std::vector<Reading> list{{"singular_matrices", static_cast<double>(counters_.singular_now)},
+                              {"solver_iterations", static_cast<double>(solved_.iterations)},
+                              {"divergence_max", divergence_}};
+    if (viscous_step_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
+    return list;
 }
 
 template <int D>

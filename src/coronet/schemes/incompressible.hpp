@@ -12,17 +12,20 @@
 //
 // Two pressure operators: `consistent`, whose force is the negative transpose of its divergence (Fang et al. 2009), and
 // `thesis`, Lobo's (3.61)-(3.63). Viscous stress is as in the weakly compressible scheme, with the corrected gradient
-// and its dual. Surface tension is Lobo's (3.51): sigma kappa per area along the inward normal, of the surface
-// particles.
+// and its dual; its step is `explicit`, as above, or `implicit` (schemes/viscous_step.hpp): v* is then what both stress
+// and f have done to v over dt, and viscosity limits no step. Surface tension is Lobo's (3.51): sigma kappa per area
+// along the inward normal, of the surface particles.
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/projection.hpp"
 #include "coronet/schemes/scheme.hpp"
 #include "coronet/schemes/thesis_pressure.hpp"
+#include "coronet/schemes/viscous_step.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -31,6 +34,7 @@ template <int D>
 class Incompressible final : public Scheme<D> {
 public:
     enum class Operator { consistent, thesis };
+    enum class Viscous { explicit_step, implicit_step };
 
     struct Settings {
         Kernel kernel, pressure_kernel;  ///< of the same support
@@ -39,11 +43,12 @@ public:
         double density = 1000;   ///< [kg/m^3]
         double sound_speed = 0;  ///< [m/s], of artificial viscosity alone
         PairTerms pair_terms;
+        Viscous viscous_step = Viscous::explicit_step;
         Operator pressure = Operator::consistent;
         double compact_share = 0;  ///< of the consistent operator: how much of a compact Laplacian damps checkerboards
         typename ThesisPressure<D>::Options thesis;
         Preconditioning preconditioning = Preconditioning::multigrid;
-        SolveLimits solve;
+        SolveLimits solve;  ///< of pressure and implicit viscous step
         SurfaceSettings surface;
         double courant = 0.25;           ///< safe factor on h/speed
         Vector<double, D> gravity = {};  ///< [m/s^2]
@@ -56,7 +61,7 @@ public:
 
     void begin_step(double time) override;
     StepLimit time_limit() const override;
-    /// Throws RunError where the solve does not converge.
+    /// Throws RunError where a solve does not converge.
     void advance(double time, double step) override;
     void refresh() override {}
     Arrangement arrangement() override;
@@ -71,6 +76,7 @@ private:
     bool needs_surface() const;
     void look_at_surface();
     void forces(double time);
+    void push(double step);
     void project(double step);
     void check_state() const;
 
@@ -81,7 +87,8 @@ private:
     Projection<D> projection_;
     Counters counters_;
     Phases phases_;
-    Solved solved_;
+    std::optional<ViscousStep<D>> viscous_step_;  ///< if it is implicit
+    Solved solved_, viscous_solved_;
     double divergence_ = 0;  ///< the largest that the last projection left [1/s]
 };
 

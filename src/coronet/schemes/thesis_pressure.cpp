@@ -8,7 +8,7 @@ namespace coronet {
 
 template <int D>
 ThesisPressure<D>::ThesisPressure(Kernel const& kernel, Options const& options)
-    : kernel_(kernel), options_(options), plain_(kernel, PressureGradientKind::plain) {
+    : kernel_(kernel), options_(options), plain_(kernel, GradientKind::plain) {
     if (!options.lattice_diagonal) return;
     double const dx = options.spacing;
     int const far = static_cast<int>(kernel.support / dx);
