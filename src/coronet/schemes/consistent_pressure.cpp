@@ -14,6 +14,10 @@ void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const&
     for_each(particles.size(), [&](std::size_t i) {
         volume_per_density_[i] = view.template at<Volume>()[i] / view.template at<Density>()[i];
     });
+    if (compact_share_ == 0) return;
+    of_constant_.resize(particles.size());
+    force(std::vector<double>(particles.size(), 1.0), velocity_);
+    divergence(1, velocity_, of_constant_);
 }
 
 /// V_i V_j (1/rho_i + 1/rho_j) W'/r, which for a uniform density is that of Lobo.
@@ -69,7 +73,7 @@ void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> A
         double sum = 0;
         for (auto const& link : gradients_.row(i))
             sum += compact(i, link) * (p[i] - p[static_cast<std::size_t>(link.j)]);
-        Ap[i] += compact_share_ * sum;
+        Ap[i] += compact_share_ * (sum + of_constant_[i] * p[i]);
     });
 }
 
@@ -94,7 +98,8 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
             of_compact += compact(i, link);
         }
         double const V = view.template at<Volume>()[i];
-        diagonal_[i] = (1 - compact_share_) * V * V * sum + compact_share_ * of_compact;
+        diagonal_[i] = (1 - compact_share_) * V * V * sum +
+                       compact_share_ * (of_compact + (compact_share_ > 0 ? of_constant_[i] : 0));
     });
     return diagonal_;
 }

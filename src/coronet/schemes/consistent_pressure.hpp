@@ -15,9 +15,10 @@
 // iterations, and the noise wrecks the arrangement of the particles. With a share d of the compact Laplacian C (Lobo
 // 2011, Eq 3.61, free at the surface), which sees a checkerboard best,
 //     ((1 - d) A + d C) p = -B v/dt
-// is solved instead. A and C agree on smooth pressures, so the divergence that is left, d (C - A) p, is that of short
-// waves and, at the surface, of its outermost layers. The force stays the dual one: momentum is conserved as before,
-// and the energy still never grows for d <= 1/2. With d = 0 the projection is exact.
+// is solved instead, where the diagonal of C has A 1 added to it: then A and C agree on constant pressures, too, also
+// at the surface, where those push. (Without it a drop under pressure swells: 5 % in 14 of its periods with d = 0.05.)
+// They agree on smooth pressures to the order of the scheme, so the divergence that is left, d (C - A) p, is that of
+// short waves. The force stays the dual one: momentum is conserved as before. With d = 0 the projection is exact.
 
 #include <vector>
 
@@ -55,6 +56,7 @@ private:
     GradientKind kind_;
     double compact_share_;
     std::vector<double> volume_per_density_;  ///< [m^(D+3)/kg]
+    std::vector<double> of_constant_;         ///< A 1
     Particles<D>* particles_ = nullptr;
     KeptGradients<D> gradients_;
     std::vector<Vector<double, D>> velocity_;
