@@ -91,6 +91,7 @@ std::unique_ptr<PressureOperator<D>> make_operator(std::string const& name, Opti
     Kernel const kernel = make_kernel(o.kernel, D, o.support * dx);
     if (name == "sph") return std::make_unique<ConsistentPressure<D>>(kernel, GradientKind::plain);
     if (name == "fpm") return std::make_unique<ConsistentPressure<D>>(kernel, GradientKind::corrected);
+    if (name == "fpm+5%") return std::make_unique<ConsistentPressure<D>>(kernel, GradientKind::corrected, 0.05);
     auto made = std::make_unique<ThesisPressure<D>>(
         kernel, typename ThesisPressure<D>::Options{SurfacePressure::mirrored, dx, false});
     std::vector<Vector<double, D>> normals(particles.size());
@@ -125,7 +126,7 @@ void run(Options const& o) {
         auto particles = body<D>(count, o.jitter, dx);
         Neighbours<D> neighbours(o.support * dx, 0.03 * o.support * dx);
         neighbours.update(particles);
-        for (std::string const name : {"thesis", "sph", "fpm"})
+        for (std::string const name : {"thesis", "fpm+5%", "sph", "fpm"})
             for (std::string const precondition : {"jacobi", "multigrid"}) {
                 std::string const key = name + " " + precondition;
                 if ((!o.operator_name.empty() && name != o.operator_name) || too_slow[key] ||

@@ -133,6 +133,20 @@ TEST(WriteCase, KeepsEveryValueThatIsNotTheDefault) {
     EXPECT_EQ(again.probes.at(1).semi_axes, (std::vector<std::string>{"0.5", "a"}));
 }
 
+TEST(WriteCase, OfAProjectionReadsBackWithEveryOperator) {
+    for (std::string const op : {"consistent", "thesis"})
+        for (std::string const sound : {"", "sound_speed = 120.0\n"}) {
+            Case const c = read_case(
+                "name = 'p'\ndimension = 2\n[[shapes]]\nkind = 'disc'\nradius = 1.0\n"
+                "[particles]\nspacing = 0.1\n[fluid]\ndensity = 1.0\n" +
+                    sound + "[method]\nscheme = 'projection'\npressure_operator = '" + op + "'\n[time]\nend = 1.0\n",
+                "p");
+            std::string const text = write_case(c);
+            EXPECT_EQ(write_case(read_case(text, "written")), text);
+            EXPECT_EQ(text.find("[surface]"), text.rfind("[surface]"));
+        }
+}
+
 TEST(WriteCase, WritesEveryKeyThatTheFileGives) {
     std::string const text = write_case(read_case(unusual, "unusual"));
     std::stringstream lines(unusual);

@@ -206,6 +206,13 @@ void check(Case const& c, Errors& errors) {
             "(support "
             "{} times spacing {} m): use 'double'",
             least_mixed_radius, 1 / least_mixed_radius, radius, c.method.support, c.particles.spacing);
+    auto const projects_with = [&](std::string const& key, std::string const& found, std::string const& only) {
+        if (c.method.scheme == "projection" && found != only)
+            say(errors, "{} = '{}' is not for method.scheme = 'projection', which knows '{}' only", key, found, only);
+    };
+    projects_with("method.gradient", c.method.gradient, "fpm");
+    projects_with("method.precision", c.method.precision, "double");
+    projects_with("method.viscous_force", c.method.viscous_force, "stress");
     if (c.method.scheme == "projection" && c.method.pressure_support > c.method.support)
         say(errors, "method.pressure_support = {} is above method.support = {}: neighbours are known up to that only",
             c.method.pressure_support, c.method.support);

@@ -96,15 +96,14 @@ void describe_fluid(Keys& keys, Case& c) {
                 f.surface_tension);
     describe_rheology(keys, c, preset.rheology);
     bool const needs_sound = c.method.scheme == "weakly-compressible" || any_active(c.method.pair_terms);
-    if (needs_sound || keys.everything())
-        keys.number(
-            {.path = "fluid.sound_speed",
-             .unit = "m/s",
-             .meaning = "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %; "
-                        "an incompressible one needs it for artificial viscosity alone",
-             .above = 0,
-             .required = true},
-            f.sound_speed);
+    Key sound{.path = "fluid.sound_speed",
+              .unit = "m/s",
+              .meaning =
+                  "of the weakly compressible liquid: 10 times the largest speed keeps density within 1 %; an "
+                  "incompressible one needs it for artificial viscosity alone",
+              .required = needs_sound || keys.everything()};
+    (sound.required ? sound.above : sound.at_least) = 0;
+    keys.number(sound, f.sound_speed);
     keys.choice(
         {.path = "fluid.equation_of_state", .meaning = "linear: c^2 (rho - rho0); tait: rho0 c^2/n ((rho/rho0)^n - 1)"},
         f.equation_of_state, {"linear", "tait"});

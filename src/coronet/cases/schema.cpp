@@ -169,14 +169,16 @@ void describe_projection(Keys& keys, Case& c) {
     keys.flag({.path = "method.lattice_diagonal",
                .meaning = "of the thesis's matrix: no diagonal less than in a lattice, which holds the constant"},
               m.lattice_diagonal);
-    keys.choice({.path = "surface.pressure",
-                 .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
-                            "surface half a spacing outside of them"},
-                c.surface.pressure, {"free", "zero", "mirrored"});
 }
 
 void describe_surface(Keys& keys, Case& c) {
     auto& s = c.surface;
+    if (keys.everything() || (c.method.scheme == "projection" && c.method.pressure_operator == "thesis"))
+        keys.choice(
+            {.path = "surface.pressure",
+             .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
+                        "surface half a spacing outside of them"},
+            c.surface.pressure, {"free", "zero", "mirrored"});
     keys.number({.path = "surface.coverage_radius",
                  .unit = "spacings",
                  .meaning = "a particle is of the surface if its circle of this radius is not covered by others",

@@ -36,6 +36,9 @@ void prepare(fs::path const& directory, bool overwrite) {
 }
 
 std::string advice(Case const& c) {
+    if (c.method.scheme == "projection")
+        return "A shorter time.step may help, a larger method.compact_share where the solve did not converge, or some "
+               "method.artificial_viscosity; a yield stress wants method.viscous_step = 'implicit'";
     std::string text = c.time.step > 0 ? "A smaller time.step or 'auto' may help" : "A smaller time.courant may help";
     text += ", a larger fluid.sound_speed if the flow has come near it, or some method.artificial_viscosity";
     if (c.method.gradient != "sph") text += "; where liquid merges or tears, method.gradient = 'sph' bears most";

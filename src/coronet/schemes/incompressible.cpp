@@ -51,6 +51,8 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
         view.template at<Density>()[i] = settings_.density;
         view.template at<Volume>()[i] = view.template at<Mass>()[i] / settings_.density;
         if (any_active(settings_.pair_terms)) view.template at<SoundSpeed>()[i] = settings_.sound_speed;
+        if (!settings_.liquid.is_newtonian())  // until the shear rate is known, for the first step
+            view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
     });
 }
 
