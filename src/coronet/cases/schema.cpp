@@ -124,6 +124,7 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
                      probe.mode);
 }
 
+/// Shown for every scheme, so that a case can change its scheme by one key.
 void describe_projection(Keys& keys, Case& c) {
     auto& m = c.method;
     keys.choice({.path = "method.viscous_step",
@@ -157,15 +158,13 @@ void describe_projection(Keys& keys, Case& c) {
     keys.integer(
         {.path = "method.most_iterations", .unit = "-", .meaning = "a solve that takes more has failed", .at_least = 1},
         m.most_iterations);
-    if (keys.everything() || m.pressure_operator == "consistent")
-        keys.number({.path = "method.compact_share",
-                     .unit = "-",
-                     .meaning = "of a compact Laplacian in the consistent operator, against checkerboards; with 0 the "
-                                "projection is exact",
-                     .at_least = 0,
-                     .at_most = 0.5},
-                    m.compact_share);
-    if (!keys.everything() && m.pressure_operator != "thesis") return;
+    keys.number({.path = "method.compact_share",
+                 .unit = "-",
+                 .meaning = "of a compact Laplacian in the consistent operator, against checkerboards; with 0 the "
+                            "projection is exact",
+                 .at_least = 0,
+                 .at_most = 0.5},
+                m.compact_share);
     keys.flag({.path = "method.lattice_diagonal",
                .meaning = "of the thesis's matrix: no diagonal less than in a lattice, which holds the constant"},
               m.lattice_diagonal);
@@ -173,12 +172,10 @@ void describe_projection(Keys& keys, Case& c) {
 
 void describe_surface(Keys& keys, Case& c) {
     auto& s = c.surface;
-    if (keys.everything() || (c.method.scheme == "projection" && c.method.pressure_operator == "thesis"))
-        keys.choice(
-            {.path = "surface.pressure",
-             .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
-                        "surface half a spacing outside of them"},
-            c.surface.pressure, {"free", "zero", "mirrored"});
+    keys.choice({.path = "surface.pressure",
+                 .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
+                            "surface half a spacing outside of them"},
+                c.surface.pressure, {"free", "zero", "mirrored"});
     keys.number({.path = "surface.coverage_radius",
                  .unit = "spacings",
                  .meaning = "a particle is of the surface if its circle of this radius is not covered by others",
@@ -250,7 +247,6 @@ void describe(Keys& keys, Case& c) {
     auto& m = c.method;
     keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme,
                 {"weakly-compressible", "projection"});
-    bool const projects = keys.everything() || m.scheme == "projection";
     keys.choice({.path = "method.gradient",
                  .meaning = "sph: plain; fpm: exact for linear fields; cph: fpm near the free surface, sph inside"},
                 m.gradient, {"sph", "cph", "fpm"});
@@ -280,7 +276,7 @@ void describe(Keys& keys, Case& c) {
                     "everything that is kept in double"},
         m.precision, {"double", "mixed"});
     describe_terms(keys, m.pair_terms);
-    if (projects) describe_projection(keys, c);
+    describe_projection(keys, c);
     describe_fluid(keys, c);
     describe_surface(keys, c);
 
