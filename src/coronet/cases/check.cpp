@@ -102,7 +102,8 @@ void check_probes(Case const& c, Errors& errors) {
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());
-    columns.insert("singular_matrices");
+    for (char const* const reading : {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations"})
+        columns.insert(reading);  // of the schemes
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)
@@ -152,8 +153,9 @@ void check_times(Case const& c, Errors& errors) {
         double const limit = by_sound ? sound : viscous;
         say(errors,
             "time.step = {} s is beyond the largest stable step, {} = {:.3g} s (h, a third of the kernel's "
-            "radius, is {:.3g} m): use 'auto' or at most {:.3g} s",
-            c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit);
+            "radius, is {:.3g} m): use 'auto' or at most {:.3g} s{}",
+            c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit,
+            !by_sound && c.method.scheme == "projection" ? ", or method.viscous_step = 'implicit'" : "");
     }
     double const steps = c.time.step > 0 ? c.time.end / c.time.step : c.time.end / sound;
     if (steps > most_steps)
@@ -213,6 +215,22 @@ void check(Case const& c, Errors& errors) {
     projects_with("method.gradient", c.method.gradient, "fpm");
     projects_with("method.precision", c.method.precision, "double");
     projects_with("method.viscous_force", c.method.viscous_force, "stress");
+    projects_with("time.position_update", c.time.position_update, "mean-velocity");
+    projects_with("initial.pressure", c.initial.pressure, "0");
+    bool const thesis = c.method.scheme == "projection" && c.method.pressure_operator == "thesis";
+    if (thesis && c.surface.pressure == "free" && !c.method.lattice_diagonal)
+        say(errors,
+            "surface.pressure = 'free' leaves the pressure of the thesis's matrix open by a constant, and it has no "
+            "solution: use 'mirrored' or 'zero', or method.lattice_diagonal = true");
+    if (c.fluid.surface_tension > 0 || (thesis && c.surface.pressure != "free")) {
+        if (2 * c.surface.coverage_radius > c.method.support)
+            say(errors,
+                "surface.coverage_radius = {} is above half of method.support = {}: neighbours are not known that far",
+                c.surface.coverage_radius, c.method.support);
+        if (c.surface.fit_width > c.method.support)
+            say(errors, "surface.fit_width = {} is above method.support = {}: neighbours are not known that far",
+                c.surface.fit_width, c.method.support);
+    }
     if (c.method.scheme == "projection" && c.method.pressure_support > c.method.support)
         say(errors, "method.pressure_support = {} is above method.support = {}: neighbours are known up to that only",
             c.method.pressure_support, c.method.support);

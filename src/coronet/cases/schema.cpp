@@ -241,7 +241,9 @@ void describe(Keys& keys, Case& c) {
 
     if (c.initial.velocity.empty()) c.initial.velocity = none;
     keys.formulas({.path = "initial.velocity", .unit = "m/s", .meaning = "velocity at t = 0"}, c.initial.velocity, D);
-    keys.formula({.path = "initial.pressure", .unit = "Pa", .meaning = "pressure at t = 0; density follows from it"},
+    keys.formula({.path = "initial.pressure",
+                  .unit = "Pa",
+                  .meaning = "pressure at t = 0, from which density follows; of the weakly compressible scheme"},
                  c.initial.pressure);
 
     auto& m = c.method;

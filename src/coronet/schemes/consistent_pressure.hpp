@@ -40,8 +40,7 @@ public:
     SmoothEnergy<D> smooth_energy() override;
     void accelerate(std::span<double const> p) override;
 
-    /// Particles whose corrected gradient fell back to the plain one at the last set_up.
-    std::size_t singular_matrices() const { return gradients_.singular_matrices(); }
+    std::size_t singular_matrices() const override { return gradients_.singular_matrices(); }
 
 private:
     /// dv/dt of all particles under p, to `to`.

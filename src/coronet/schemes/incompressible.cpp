@@ -50,6 +50,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
     for_each(particles_.size(), [&](std::size_t i) {
         view.template at<Density>()[i] = settings_.density;
         view.template at<Volume>()[i] = view.template at<Mass>()[i] / settings_.density;
+        view.template set<Acceleration>(i, settings_.gravity);  // what the first step is bounded by
         if (any_active(settings_.pair_terms)) view.template at<SoundSpeed>()[i] = settings_.sound_speed;
         if (!settings_.liquid.is_newtonian())  // until the shear rate is known, for the first step
             view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
@@ -111,6 +112,7 @@ template <int D>
 void Incompressible<D>::advance(double time, double step) {
     auto const view = particles_.view();
     std::size_t const n = particles_.owned();
+    counters_.singular_now = 0;
     phases_.act("predict", [&] {
         for_each(n, [&](std::size_t i) {
             auto const x = view.template get<Position>(i);
@@ -210,10 +212,14 @@ template <int D>
 void Incompressible<D>::project(double step) {
     solved_ = projection_.project(particles_, neighbours_, step);
     divergence_ = projection_.largest_divergence(particles_);
+    auto const singular = static_cast<std::int64_t>(projection_.pressure().singular_matrices());
+    counters_.singular_now += singular;
+    counters_.singular_matrices += singular;
     if (!solved_.converged)
         throw RunError(
             fmt::format("the pressure did not converge: after {} iterations the residual is {:.2g} of the "
-                        "right-hand side, and {:.2g} is asked for (method.tolerance)",
+                        "right-hand side, and {:.2g} is asked for (method.tolerance, "
+                        "method.most_iterations)",
                         solved_.iterations, solved_.residual, settings_.solve.tolerance));
 }
 

@@ -7,8 +7,9 @@
 //     v*     = v + dt (div tau/rho + f)     at x_half,
 //     v_new  = v* + dt dv(p),               div v_new = 0 at x_half,
 //     x_new  = x + dt (v + v_new)/2.
-// It is Lobo (2011), section 3.3, with the forces where they conserve angular momentum: half a step on. Each of them
-// conserves momentum by itself, and sum m x cross v then changes by nothing but round-off. Density is a constant.
+// It is Lobo (2011), section 3.3, with the forces where they conserve angular momentum: half a step on. Pressure,
+// viscous stress and pair terms conserve momentum each by itself, and sum m x cross v then changes by nothing but
+// round-off; tension does not (surface/tension.hpp). Density is a constant.
 //
 // Two pressure operators: `consistent`, whose force is the negative transpose of its divergence (Fang et al. 2009), and
 // `thesis`, Lobo's (3.61)-(3.63). Viscous stress is as in the weakly compressible scheme, with the corrected gradient

@@ -26,6 +26,8 @@ public:
     virtual void source(double step, std::span<double> b) = 0;
     /// Ap = A p [m^D/s^2], p in Pa.
     virtual void apply(std::span<double const> p, std::span<double> Ap) = 0;
+    /// Particles whose gradient fell back to the plain one at the last set_up.
+    virtual std::size_t singular_matrices() const { return 0; }
     /// The diagonal of A.
     virtual std::span<double const> diagonal() = 0;
     /// What A does to smooth pressures, for a multigrid: a = V/rho.

@@ -128,11 +128,12 @@ void WeaklyCompressible<D>::update_neighbours() {
     if (settings_.gradient == Gradient::cph) mark_zones();
 }
 
-/// The zones of the coupled method (Fang et al. 2009, section 3.5.3), by distance from the initial free surface. A
-/// particle is exterior if one of the surface lies in its support: there the gradient is corrected. Forces need it in
-/// the corrected form wherever an exterior particle may come into the support (`border`), and of all that may come into
-/// the supports of those (`near`); in the `deep` everything is plain. The zones hold until the next listing: meanwhile
-/// no pair comes nearer or parts by more than the skin, and whoever may come near is in the row.
+/// The zones of the coupled method (Fang et al. 2009, section 3.5.3), by distance from the particles marked by Surface:
+/// those of the start, or, with surface tension, those found last. A particle is exterior if one of the surface lies in
+/// its support: there the gradient is corrected. Forces need it in the corrected form wherever an exterior particle may
+/// come into the support (`border`), and of all that may come into the supports of those (`near`); in the `deep`
+/// everything is plain. The zones hold until the next listing: meanwhile no pair comes nearer or parts by more than the
+/// skin, and whoever may come near is in the row.
 template <int D>
 void WeaklyCompressible<D>::mark_zones() {
     enum Zone : char { deep, near, border, exterior };

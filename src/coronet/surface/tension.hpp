@@ -22,7 +22,7 @@ struct SurfaceSettings {
     bool remove_mean_force = false;
 };
 
-/// Sets Surface, SurfaceNormal, Curvature and SurfaceFitted.
+/// Sets Surface, SurfaceNormal, Curvature, SurfaceArea and SurfaceFitted.
 template <int D>
 void find_surface(Particles<D>& particles, Neighbours<D> const& neighbours, SurfaceSettings const& settings);
 
