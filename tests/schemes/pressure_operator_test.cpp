@@ -173,7 +173,7 @@ TEST(ConsistentPressure, LeavesARigidMotionAlone) {
     for (double const s : source) EXPECT_NEAR(s / (b->dx * b->dx), 0, 1e-12 / b->dx);
 }
 
-TEST(ConsistentPressure, OnALatticeIsOfFirstOrderInTheSpacing) {
+TEST(ConsistentPressure, OnALatticeComesCloserToThePressureAsTheSpacingFalls) {
     // v = dt/rho grad p with p = 0 at the radius that the particles' area has: the pressure is found, the velocity
     // taken.
     auto const error = [](int spacings) {

@@ -16,7 +16,7 @@
 // 2011, Eq 3.61, free at the surface), which sees a checkerboard best,
 //     ((1 - d) A + d C) p = -B v/dt
 // is solved instead, where the diagonal of C has A 1 added to it: then A and C agree on constant pressures, too, also
-// at the surface, where those push. (Without it a drop under pressure swells: 5 % in 14 of its periods with d = 0.05.)
+// at the surface, where those push. (Without it a drop under pressure swells.)
 // They agree on smooth pressures to the order of the scheme, so the divergence that is left, d (C - A) p, is that of
 // short waves. The force stays the dual one: momentum is conserved as before. With d = 0 the projection is exact.
 
