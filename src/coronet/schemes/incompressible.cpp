@@ -10,6 +10,7 @@
 #include "coronet/core/error.hpp"
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/arrangement.hpp"
+#include "coronet/schemes/check_state.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
 
@@ -65,20 +66,7 @@ bool Incompressible<D>::needs_surface() const {
 template <int D>
 void Incompressible<D>::begin_step(double /*time*/) {
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
-    phases_.act("check", [&] { check_state(); });
-}
-
-template <int D>
-void Incompressible<D>::check_state() const {
-    auto const view = particles_.view();
-    double const none = static_cast<double>(particles_.owned());
-    double const first = min_over(particles_.owned(), none, [&](std::size_t i) {
-        return std::isfinite(norm2(view.template get<Velocity>(i))) ? none : static_cast<double>(i);
-    });
-    if (first == none) return;
-    auto const i = static_cast<std::size_t>(first);
-    throw RunError(fmt::format("the flow has blown up: particle {} at ({:.4g}, {:.4g}) m has no finite speed",
-                               particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i]));
+    phases_.act("check", [&] { check_state(particles_); });
 }
 
 template <int D>

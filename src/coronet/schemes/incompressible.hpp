@@ -79,7 +79,6 @@ private:
     void forces(double time);
     void push(double step);
     void project(double step);
-    void check_state() const;
 
     Settings settings_;
     Particles<D> particles_;

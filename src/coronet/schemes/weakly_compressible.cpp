@@ -4,11 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "coronet/core/error.hpp"
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/arrangement.hpp"
+#include "coronet/schemes/check_state.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
 
@@ -47,27 +45,7 @@ void WeaklyCompressible<D>::sweep_parts(Parts const&... parts) {
 template <int D>
 void WeaklyCompressible<D>::begin_step(double time) {
     evaluate(time);
-    phases_.act("check", [&] { check_state(); });
-}
-
-/// A run that has blown up is stopped at the first step that shows it.
-template <int D>
-void WeaklyCompressible<D>::check_state() const {
-    auto const view = particles_.view();
-    double const none = static_cast<double>(particles_.owned());
-    double const first = min_over(particles_.owned(), none, [&](std::size_t i) {
-        double const rho = view.template get<Density>(i);
-        double const others = norm2(view.template get<Velocity>(i)) + norm2(view.template get<Acceleration>(i));
-        return rho > 0 && std::isfinite(rho) && std::isfinite(others) ? none : static_cast<double>(i);
-    });
-    if (first == none) return;
-    std::size_t const i = static_cast<std::size_t>(first);
-    throw RunError(fmt::format(
-        "the flow has blown up: particle {} at ({:.4g}, {:.4g}) m has density {:.4g} kg/m^3, speed {:.4g} m/s and "
-        "acceleration {:.4g} m/s^2",
-        particles_.id[i], view.template at<Position>(0)[i], view.template at<Position>(1)[i],
-        view.template get<Density>(i), std::sqrt(norm2(view.template get<Velocity>(i))),
-        std::sqrt(norm2(view.template get<Acceleration>(i)))));
+    phases_.act("check", [&] { check_state(particles_); });
 }
 
 template <int D>

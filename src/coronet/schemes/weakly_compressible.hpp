@@ -83,7 +83,6 @@ private:
     void forces();
     bool one_sweep() const;
     void rates_in_one_sweep();
-    void check_state() const;
 
     Settings settings_;
     Particles<D> particles_;
