@@ -142,10 +142,23 @@ TEST(OscillationFit, OfTooFewSamplesOrNoNumbersIsNothing) {
     EXPECT_FALSE(fit_oscillation(times, values, 1));
 }
 
+TEST(Snapshot, FindsTheOutlineOnceForAllProbes) {
+    auto const c = drop_case();
+    auto const particles = drop(0.1, 3);
+    Snapshot<2> const now(0, particles, c);
+    auto const& outline = now.outline();
+    EXPECT_EQ(outline.area, drop_outline(particles, c).area);
+    double const before = outline.area;
+    particles.view().set<Position>(0,
+                                   {{2 * R, 0}});  // moves what is looked at: another outline, if it were found again
+    EXPECT_EQ(now.outline().area, before);
+    EXPECT_NE(drop_outline(particles, c).area, before);
+}
+
 TEST(DropProbe, SeesADropAsItIs) {
     auto const c = drop_case();
     DropProbe probe(c);
-    auto const row = probe.sample(0, drop(0, 2));
+    auto const row = probe.sample({0, drop(0, 2), c});
     EXPECT_NEAR(row[0], 1, 0.01);
     EXPECT_NEAR(row[1], R, 2e-3 * R);
     EXPECT_NEAR(row[2], pi * R * R, 2e-3 * pi * R * R);
@@ -154,7 +167,7 @@ TEST(DropProbe, SeesADropAsItIs) {
     EXPECT_NEAR(row[5], 1, 0.03);
 
     DropProbe oval(c);
-    auto const stretched = oval.sample(0, drop(0.1, 2));
+    auto const stretched = oval.sample({0, drop(0.1, 2), c});
     EXPECT_NEAR(stretched[0], 1.1 / 0.9, 0.02);
     EXPECT_NEAR(by_name(oval.measures()).at("circularity_final").value, stretched[0], 0);
 }
@@ -166,9 +179,9 @@ TEST(DropProbe, MeasuresDriftFromTheLineOfTheFirstMomentum) {
     double const capillary = std::sqrt(10 / (2 * R));
     for (int k = 0; k <= 4; ++k) {
         double const t = 0.5 * k;
-        straight.sample(t, drop(0, 2, 0, t * v, v));
+        straight.sample({t, drop(0, 2, 0, t * v, v), c});
         Vector<double, 2> const aside{{0, k == 2 ? 0.01 * R : 0}}, faster{{k == 3 ? 0.02 * capillary : 0, 0}};
-        bent.sample(t, drop(0, 2, 0, t * v + aside, v + faster));
+        bent.sample({t, drop(0, 2, 0, t * v + aside, v + faster), c});
     }
     auto const right = by_name(straight.measures()), wrong = by_name(bent.measures());
     EXPECT_LT(right.at("centre_drift").value, 1e-13);
@@ -179,16 +192,16 @@ TEST(DropProbe, MeasuresDriftFromTheLineOfTheFirstMomentum) {
 
     auto const falling = drop_case({"fluid.gravity=[0, -9.81]"});
     DropProbe pulled(falling);
-    pulled.sample(0, drop(0, 2));
+    pulled.sample({0, drop(0, 2), falling});
     EXPECT_FALSE(by_name(pulled.measures()).at("centre_drift").reference.has_value());
 }
 
 TEST(DropProbe, TellsTheLastAndTheLargestErrorOfTheArea) {
     auto const c = drop_case();
     DropProbe probe(c);
-    double const first = probe.sample(0, drop(0, 2))[2];
-    double const worst = probe.sample(1, drop(0.3, 2))[2];  // the flow of mode 2 that far takes a^2 of the area
-    double const last = probe.sample(2, drop(0.1, 2))[2];
+    double const first = probe.sample({0, drop(0, 2), c})[2];
+    double const worst = probe.sample({1, drop(0.3, 2), c})[2];  // the flow of mode 2 that far takes a^2 of the area
+    double const last = probe.sample({2, drop(0.1, 2), c})[2];
     ASSERT_GT(std::fabs(worst - first), 0.05 * first);
     auto const measures = by_name(probe.measures());
     EXPECT_NEAR(measures.at("area_error").value, last / (pi * R * R) - 1, 1e-13);
@@ -207,7 +220,7 @@ TEST(ModeProbe, FindsPeriodAndDampingOfADropWhateverItsAxis) {
         std::vector<double> first;
         for (int k = 0; k <= 240; ++k) {
             double const t = k * 6 * 2 * pi / (240 * w);
-            auto const row = probe.sample(t, drop(0.04 * std::exp(-b * t) * std::cos(w * t), 3, turn));
+            auto const row = probe.sample({t, drop(0.04 * std::exp(-b * t) * std::cos(w * t), 3, turn), c});
             if (k == 0) first = row;
             EXPECT_NEAR(row[1], 0, 4e-4);
         }
@@ -229,7 +242,7 @@ TEST(ModeProbe, SaysWhyThereIsNoMeasure) {
     auto const c = drop_case(), thick = drop_case({"fluid.viscosity=30"});
     ModeProbe brief(keys, c), stiff(keys, thick);
     EXPECT_TRUE(brief.measures().empty());
-    for (auto* probe : {&brief, &stiff}) probe->sample(0, drop(0.04, 2));
+    for (auto* probe : {&brief, &stiff}) probe->sample({0, drop(0.04, 2), c});
     for (auto const* probe : {&brief, &stiff}) {
         auto const period = by_name(probe->measures()).at("period");
         EXPECT_TRUE(std::isnan(period.value));

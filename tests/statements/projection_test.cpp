@@ -117,13 +117,13 @@ TEST(ProjectionScheme, StretchesADropAsTheoryHasIt) {
         "stretching");
     auto const scheme = make_scheme<2>(c);
     auto const probes = make_probes<2>(c);
-    probes[0]->sample(0, scheme->particles());
+    probes[0]->sample({0, scheme->particles(), c});
     constexpr int steps = 50;
     for (int k = 0; k < steps; ++k) {
         scheme->begin_step(k * 1e-4);
         scheme->advance(k * 1e-4, 1e-4);
     }
-    probes[0]->sample(5e-3, scheme->particles());
+    probes[0]->sample({5e-3, scheme->particles(), c});
     EXPECT_LT(probes[0]->measures()[0].value, 0.02);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "coronet/cases/drop_outline.hpp"
 #include "coronet/cases/totals.hpp"
 
 namespace coronet {
@@ -14,17 +13,17 @@ std::vector<std::string> DropProbe::columns() const {
     return {"circularity", "radius_mean", "area", "surface_particles", "voids", "spacing_p01"};
 }
 
-std::vector<double> DropProbe::sample(double time, Particles<2> const& particles) {
-    auto const now = totals(particles);
+std::vector<double> DropProbe::sample(Snapshot<2> const& now) {
+    auto const total = totals(now.particles);
     if (!start_) {
-        double const area = now.mass / case_.fluid.density;
-        start_ = {now.mass, area, std::sqrt(area / std::numbers::pi), now.centre(), now.momentum};
+        double const area = total.mass / case_.fluid.density;
+        start_ = {total.mass, area, std::sqrt(area / std::numbers::pi), total.centre(), total.momentum};
     }
-    auto const line = start_->centre + time / start_->mass * start_->momentum;
-    centre_drift_ = std::max(centre_drift_, std::sqrt(norm2(now.centre() - line)) / start_->radius);
-    momentum_drift_ = std::max(momentum_drift_, std::sqrt(norm2(now.momentum - start_->momentum)));
+    auto const line = start_->centre + now.time / start_->mass * start_->momentum;
+    centre_drift_ = std::max(centre_drift_, std::sqrt(norm2(total.centre() - line)) / start_->radius);
+    momentum_drift_ = std::max(momentum_drift_, std::sqrt(norm2(total.momentum - start_->momentum)));
 
-    auto const drop = drop_outline(particles, case_);
+    auto const& drop = now.outline();
     circularity_ = drop.farthest / drop.nearest;
     area_error_ = drop.area / start_->area - 1;
     area_error_max_ = std::max(area_error_max_, std::fabs(area_error_));

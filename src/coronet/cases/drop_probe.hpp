@@ -13,7 +13,7 @@ class DropProbe final : public Probe<2> {
 public:
     explicit DropProbe(Case const& c) : case_(c) {}
     std::vector<std::string> columns() const override;
-    std::vector<double> sample(double time, Particles<2> const& particles) override;
+    std::vector<double> sample(Snapshot<2> const& now) override;
     std::vector<Measure> measures() const override;
 
 private:

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "coronet/cases/drop_outline.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/oscillation_fit.hpp"
 #include "coronet/cases/totals.hpp"
@@ -22,13 +21,13 @@ constexpr double least_samples = 10;      // a period
 
 }  // namespace
 
-std::vector<double> ModeProbe::sample(double time, Particles<2> const& particles) {
+std::vector<double> ModeProbe::sample(Snapshot<2> const& now) {
     bool const first = time_.empty();
-    if (first) radius_ = std::sqrt(totals(particles).mass / (std::numbers::pi * case_.fluid.density));
-    auto const amplitude = mode_of(drop_outline(particles, case_).line, n_) / radius_;
+    if (first) radius_ = std::sqrt(totals(now.particles).mass / (std::numbers::pi * case_.fluid.density));
+    auto const amplitude = mode_of(now.outline().line, n_) / radius_;
     if (first && std::abs(amplitude) > least_amplitude) phase_ = amplitude / std::abs(amplitude);
     auto const along = amplitude * std::conj(phase_);
-    time_.push_back(time);
+    time_.push_back(now.time);
     value_.push_back(along.real());
     return {along.real(), along.imag()};
 }

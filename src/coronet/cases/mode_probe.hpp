@@ -18,7 +18,7 @@ class ModeProbe final : public Probe<2> {
 public:
     ModeProbe(ProbeKeys const& keys, Case const& c) : case_(c), n_(keys.mode) {}
     std::vector<std::string> columns() const override { return {"mode_amplitude", "mode_amplitude_imaginary"}; }
-    std::vector<double> sample(double time, Particles<2> const& particles) override;
+    std::vector<double> sample(Snapshot<2> const& now) override;
     std::vector<Measure> measures() const override;
 
 private:

@@ -72,7 +72,8 @@ void PatchProbe::remember_surface(Particles<2> const& particles) {
         outside_area_ += p.volume * (std::find(corners_.begin(), corners_.end(), p.id) != corners_.end() ? 0.75 : 0.5);
 }
 
-std::vector<double> PatchProbe::sample(double time, Particles<2> const& particles) {
+std::vector<double> PatchProbe::sample(Snapshot<2> const& now) {
+    auto const& particles = now.particles;
     bool const first = outline_.empty();
     if (first) remember_surface(particles);
 
@@ -97,7 +98,7 @@ std::vector<double> PatchProbe::sample(double time, Particles<2> const& particle
             p,
             static_cast<double>(fragments_),
             area_,
-            side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * time, 2))};
+            side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * now.time, 2))};
 }
 
 std::vector<Measure> PatchProbe::measures() const {

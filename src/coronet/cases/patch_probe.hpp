@@ -20,7 +20,7 @@ class PatchProbe final : public Probe<2> {
 public:
     PatchProbe(ProbeKeys const& keys, Case const& c);
     std::vector<std::string> columns() const override;
-    std::vector<double> sample(double time, Particles<2> const& particles) override;
+    std::vector<double> sample(Snapshot<2> const& now) override;
     std::vector<Measure> measures() const override;
 
 private:

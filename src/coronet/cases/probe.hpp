@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "coronet/cases/case.hpp"
-#include "coronet/fields/particles.hpp"
+#include "coronet/cases/snapshot.hpp"
 
 namespace coronet {
 
@@ -29,7 +28,7 @@ public:
     virtual ~Probe() = default;
     virtual std::vector<std::string> columns() const = 0;
     /// One number per column. Called in the order of time, first at t = 0.
-    virtual std::vector<double> sample(double time, Particles<D> const& particles) = 0;
+    virtual std::vector<double> sample(Snapshot<D> const& now) = 0;
     virtual std::vector<Measure> measures() const { return {}; }
 };
 

@@ -33,9 +33,9 @@ public:
         for (int k = 0; k < D; ++k) at_[k] = keys.at[k];
     }
     std::vector<std::string> columns() const override { return {keys_.name}; }
-    std::vector<double> sample(double, Particles<D> const& particles) override {
-        auto const view = particles.view();
-        return {value_at(particles, kernel_, at_, [&](std::size_t i) {
+    std::vector<double> sample(Snapshot<D> const& now) override {
+        auto const view = now.particles.view();
+        return {value_at(now.particles, kernel_, at_, [&](std::size_t i) {
             if (keys_.field == "pressure") return view.template get<Pressure>(i);
             if (keys_.field == "density") return view.template get<Density>(i);
             return std::sqrt(norm2(view.template get<Velocity>(i)));
@@ -54,11 +54,11 @@ class AngularMomentumProbe final : public Probe<D> {
 public:
     explicit AngularMomentumProbe(Case const& c) : free_(no_outer_force(c)) {}
     std::vector<std::string> columns() const override { return {"angular_momentum_drift"}; }
-    std::vector<double> sample(double, Particles<D> const& particles) override {
-        auto const now = totals(particles).angular_momentum;
-        if (!first_) first_ = now;
+    std::vector<double> sample(Snapshot<D> const& now) override {
+        auto const momentum = totals(now.particles).angular_momentum;
+        if (!first_) first_ = momentum;
         double const scale = std::sqrt(norm2(*first_));
-        drift_ = scale > 0 ? std::sqrt(norm2(now - *first_)) / scale : 0;  // nothing to drift from
+        drift_ = scale > 0 ? std::sqrt(norm2(momentum - *first_)) / scale : 0;  // nothing to drift from
         return {drift_};
     }
     std::vector<Measure> measures() const override {
@@ -93,7 +93,8 @@ public:
         return names;
     }
 
-    std::vector<double> sample(double time, Particles<D> const& particles) override {
+    std::vector<double> sample(Snapshot<D> const& now) override {
+        auto const& particles = now.particles;
         auto const view = particles.view();
         auto const total = totals(particles);
         auto const centre = total.centre();
@@ -105,7 +106,7 @@ public:
         Vector<double, D> s;
         for (int k = 0; k < D; ++k) s[k] = std::sqrt((D + 2) * moments[k] / total.mass);
         if (samples_ == 0) first_s_ = s;
-        exact_.advance_to(time);
+        exact_.advance_to(now.time);
 
         double const p =
             value_at(particles, kernel_, centre, [&](std::size_t i) { return view.template get<Pressure>(i); });

@@ -19,11 +19,11 @@ namespace {
 /// The fields a reader of a frame looks for, under the names VTK's users would give them.
 template <int D>
 std::vector<FrameField> frame_fields(Particles<D> const& particles) {
-    constexpr std::array shown{Velocity::number, Acceleration::number, Density::number, Pressure::number,
-                               Mass::number,     Volume::number,       Stress::number,  Surface::number,
-                               Exterior::number, FellBack::number,    Viscosity::number};
-    constexpr std::array names{"velocity", "acceleration", "density", "pressure", "mass",
-                               "volume",   "stress",       "surface", "exterior", "singular_matrix", "viscosity"};
+    constexpr std::array shown{Velocity::number, Acceleration::number, Density::number,  Pressure::number,
+                               Mass::number,     Volume::number,       Stress::number,   Surface::number,
+                               Exterior::number, FellBack::number,     Viscosity::number};
+    constexpr std::array names{"velocity", "acceleration", "density",  "pressure",        "mass",     "volume",
+                               "stress",   "surface",      "exterior", "singular_matrix", "viscosity"};
     std::size_t const n = particles.owned();
     auto const view = particles.view();
     std::vector<FrameField> fields;
@@ -75,8 +75,9 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
         if (D == 3) row.insert(row.end(), {sum.angular_momentum[0], sum.angular_momentum[1]});
         vector(sum.centre());
         row.insert(row.end(), {sum.kinetic_energy, arrangement_.smallest_distance / case_.particles.spacing});
+        Snapshot<D> const now(time, particles, case_);
         for (auto& probe : probes_) {
-            auto const values = probe->sample(time, particles);
+            auto const values = probe->sample(now);
             row.insert(row.end(), values.begin(), values.end());
         }
         for (Reading const& reading : scheme_.readings()) row.push_back(reading.value);
