@@ -39,13 +39,13 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
           }(),
           settings.preconditioning, settings.surface.spacing, settings.solve) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, Acceleration, PositionBefore,
-                               VelocityBefore, Surface>{});
+                               VelocityBefore, Surface, Stress>{});
     bool const is_viscous = !settings_.liquid.is_inviscid();
     bool const implicit = settings_.viscous_step == Viscous::implicit_step;
     if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
     if (is_viscous && implicit) viscous_step_.emplace(settings_.kernel, settings_.liquid, settings_.solve);
     if (is_viscous && !implicit)
-        particles_.allocate(Fields<DensityRate, Stress, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
+        particles_.allocate(Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
     auto const view = particles_.view();
     for_each(particles_.size(), [&](std::size_t i) {
@@ -116,6 +116,7 @@ void Incompressible<D>::advance(double time, double step) {
     if (has_tension()) phases_.act("surface", [&] { add_tension(particles_, settings_.surface); });
     push(step);
     phases_.act("projection", [&] { project(step); });
+    phases_.act("stress", [&] { set_stress(); });
     phases_.act("correct", [&] {
         for_each(n, [&](std::size_t i) {
             auto const v0 = view.template get<VelocityBefore>(i);
@@ -209,6 +210,20 @@ void Incompressible<D>::project(double step) {
                         "right-hand side, and {:.2g} is asked for (method.tolerance, "
                         "method.most_iterations)",
                         solved_.iterations, solved_.residual, settings_.solve.tolerance));
+}
+
+/// The explicit sweep left the viscous part in Stress; the implicit step has it; an inviscid liquid has none.
+template <int D>
+void Incompressible<D>::set_stress() {
+    auto const view = particles_.view();
+    bool const swept = !settings_.liquid.is_inviscid() && !viscous_step_;
+    for_each(particles_.owned(), [&](std::size_t i) {
+        Symmetric<double, D> sigma;
+        if (swept) sigma = view.template get<Stress>(i);
+        if (viscous_step_) sigma = viscous_step_->stress(i);
+        unrolled<D>([&](int k) { sigma(k, k) -= view.template at<Pressure>()[i]; });
+        view.template set<Stress>(i, sigma);
+    });
 }
 
 template <int D>

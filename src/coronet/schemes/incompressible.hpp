@@ -16,6 +16,9 @@
 // and its dual; its step is `explicit`, as above, or `implicit` (schemes/viscous_step.hpp): v* is then what both stress
 // and f have done to v over dt, and viscosity limits no step. Surface tension is Lobo's (3.51): sigma kappa per area
 // along the inward normal, of the surface particles.
+//
+// Pressure, Stress = -p I + tau and Viscosity are those of the last step, half of it before the particles: what acted
+// over it. Before the first step they are 0, but for Viscosity.
 
 #include <functional>
 #include <memory>
@@ -79,6 +82,7 @@ private:
     void forces(double time);
     void push(double step);
     void project(double step);
+    void set_stress();
 
     Settings settings_;
     Particles<D> particles_;

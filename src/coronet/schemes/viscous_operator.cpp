@@ -30,7 +30,7 @@ void ViscousOperator<D>::set_viscosity(GeneralisedNewtonian const& liquid, std::
 template <int D>
 void ViscousOperator<D>::apply(std::span<double const> v, std::span<double> Kv) {
     gradients_.transposed(
-        [&](std::size_t i) { return Newtonian{viscosity_[i]}.stress(0.0, gradient(i, v)); },
+        [&](std::size_t i) { return stress(i, v); },
         [&](std::size_t i, Vector<double, D> const& sum) {
             unrolled<D>([&](int k) { Kv[D * i + static_cast<std::size_t>(k)] = -volume_[i] * sum[k]; });
         });

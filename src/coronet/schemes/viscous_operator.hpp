@@ -25,6 +25,10 @@ public:
     void set_viscosity(GeneralisedNewtonian const& liquid, std::span<double const> v);
     /// Kv = K v.
     void apply(std::span<double const> v, std::span<double> Kv);
+    /// 2 mu d [Pa] at a particle in the flow v.
+    Symmetric<double, D> stress(std::size_t i, std::span<double const> v) const {
+        return Newtonian{viscosity_[i]}.stress(0.0, gradient(i, v));
+    }
     /// The diagonal of K [kg/s].
     void diagonal(std::span<double> K) const;
 

@@ -23,14 +23,14 @@ Solved ViscousStep<D>::advance(Particles<D>& particles, Neighbours<D> const& nei
                sum_over(n, Vector<double, D>{}, [&](std::size_t i) { return view.template get<Field>(i); });
     };
     // What all particles have in common no stress sees; taken off first, it costs no digits.
-    auto const v_mean = mean(Velocity{}), f_mean = mean(Acceleration{});
-    for (auto* numbers : {&mass_, &diagonal_, &v_, &f_, &b_, &x_, &Kv_, &K_mean_}) numbers->resize(D * n);
+    auto const v_common = mean(Velocity{}), f_common = mean(Acceleration{});
+    for (auto* numbers : {&mass_, &diagonal_, &v_, &f_, &b_, &x_, &Kv_, &v_mean_}) numbers->resize(D * n);
     for_each(D * n, [&](std::size_t a) {
         std::size_t const i = a / D;
         int const k = static_cast<int>(a % D);
         mass_[a] = view.template at<Mass>()[i];
-        v_[a] = view.template at<Velocity>(k)[i] - v_mean[k];
-        f_[a] = view.template at<Acceleration>(k)[i] - f_mean[k];
+        v_[a] = view.template at<Velocity>(k)[i] - v_common[k];
+        f_[a] = view.template at<Acceleration>(k)[i] - f_common[k];
     });
     operator_.set_up(particles, neighbours);
     operator_.set_viscosity(liquid_, v_);
@@ -43,27 +43,27 @@ Solved ViscousStep<D>::advance(Particles<D>& particles, Neighbours<D> const& nei
         b_[a] = mass_[a] * x_[a];
     });
     auto const solve = [&] {
-        Solved const solved = gradients_.solve(
+        return gradients_.solve(
             [&](std::span<double const> in, std::span<double> out) {
                 operator_.apply(in, out);
                 for_each(D * n, [&](std::size_t a) { out[a] = mass_[a] * in[a] + stage * out[a]; });
             },
             Jacobi{diagonal_}, b_, x_, limits_);
-        operator_.apply(x_, Kv_);
-        return solved;
     };
     Solved const first = solve();
+    operator_.apply(x_, Kv_);
     for_each(D * n, [&](std::size_t a) {
-        K_mean_[a] = (1 - gamma) * Kv_[a];
-        b_[a] = mass_[a] * (v_[a] + step * f_[a]) - step * K_mean_[a];
+        v_mean_[a] = (1 - gamma) * x_[a];
+        b_[a] = mass_[a] * (v_[a] + step * f_[a]) - step * (1 - gamma) * Kv_[a];
     });
     Solved const second = solve();
-    for_each(D * n, [&](std::size_t a) { K_mean_[a] += gamma * Kv_[a]; });
+    for_each(D * n, [&](std::size_t a) { v_mean_[a] += gamma * x_[a]; });
+    operator_.apply(v_mean_, Kv_);
     for_each(n, [&](std::size_t i) {
         auto v = view.template get<Velocity>(i) + step * view.template get<Acceleration>(i);
         for (int k = 0; k < D; ++k) {
             std::size_t const a = D * i + static_cast<std::size_t>(k);
-            v[k] -= step / mass_[a] * K_mean_[a];
+            v[k] -= step / mass_[a] * Kv_[a];
         }
         view.template set<Velocity>(i, v);
     });

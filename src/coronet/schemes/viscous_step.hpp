@@ -7,7 +7,7 @@
 // 1/sqrt(2) (Alexander, SIAM J. Numer. Anal. 14 (1977) 1006, Theorem 5):
 //     (M + gamma dt K) v_1 = M (v + gamma dt f),
 //     (M + gamma dt K) v_2 = M (v + dt f) - (1 - gamma) dt K v_1,
-//     v_new = v + dt f - dt M^-1 K ((1 - gamma) v_1 + gamma v_2).
+//     v_new = v + dt f - dt M^-1 K v_mean,   v_mean = (1 - gamma) v_1 + gamma v_2.
 // Both solves are by conjugate gradients with the diagonal as preconditioner, without a matrix. Up to what they leave
 // v_new is v_2; formed from the forces it keeps momentum and angular momentum to round-off however far they went.
 // Without f every mode of K shrinks, so energy only falls.
@@ -31,6 +31,8 @@ public:
     /// residual is the larger one.
     Solved advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step);
 
+    /// The viscous stress [Pa] whose force made the last step, that of v_mean.
+    Symmetric<double, D> stress(std::size_t i) const { return operator_.stress(i, v_mean_); }
     /// As it was in the last step.
     ViscousOperator<D> const& viscous() const { return operator_; }
 
@@ -39,7 +41,7 @@ private:
     GeneralisedNewtonian liquid_;
     SolveLimits limits_;
     ConjugateGradients gradients_;
-    std::vector<double> mass_, diagonal_, v_, f_, b_, x_, Kv_, K_mean_;
+    std::vector<double> mass_, diagonal_, v_, f_, b_, x_, Kv_, v_mean_;
 };
 
 }  // namespace coronet
