@@ -17,6 +17,7 @@
 #include "coronet/cases/set_up.hpp"
 #include "coronet/cases/shapes.hpp"
 #include "coronet/core/error.hpp"
+#include "coronet/surface/tension.hpp"
 
 namespace coronet {
 
@@ -142,21 +143,36 @@ void check_initial_state(Case const& c, Errors& errors) {
     }
 }
 
+/// A fixed step is refused beyond the least limit of the scheme that is known before the flow is.
+void check_step(Case const& c, double sound, Errors& errors) {
+    struct Limit {
+        double step;  // [s]
+        double safe;  // share of it that is advised; below 1 even where it is exact, since the advice is rounded
+        std::string formula, more;
+    };
+    double const dx = c.particles.spacing, h = c.method.support * dx / 3;
+    bool const projection = c.method.scheme == "projection";
+    bool const implicit = projection && c.method.viscous_step == "implicit";
+    double const thickest = implicit ? 0 : rheology_of(c).largest_viscosity();
+    std::string const length = fmt::format("h, a third of the kernel's radius, is {:.3g} m", h);
+    Limit least{sound, 0.25, "h/c", length};
+    auto const vote = [&](Limit const& limit) {
+        if (limit.step < least.step) least = limit;
+    };
+    vote({h * h * c.fluid.density / thickest, 0.125, "h^2/nu", length});  // infinite without viscosity
+    vote({capillary_step({.tension = c.fluid.surface_tension, .spacing = dx}, c.fluid.density), 0.99,
+          "sqrt(rho dx^3/(4 pi sigma))", "that of capillary waves as short as the spacing dx"});
+    if (c.time.step > least.step)
+        say(errors,
+            "time.step = {} s is beyond the largest stable step, {} = {:.3g} s ({}): use 'auto' or at most {:.3g} s{}",
+            c.time.step, least.formula, least.step, least.more, least.safe * least.step,
+            least.formula == "h^2/nu" && projection ? ", or method.viscous_step = 'implicit'" : "");
+}
+
 void check_times(Case const& c, Errors& errors) {
     double const h = c.method.support * c.particles.spacing / 3,
                  sound = c.method.scheme == "projection" ? INFINITY : h / c.fluid.sound_speed;
-    bool const implicit = c.method.scheme == "projection" && c.method.viscous_step == "implicit";
-    double const thickest = implicit ? 0 : rheology_of(c).largest_viscosity();
-    double const viscous = h * h * c.fluid.density / thickest;  // infinite without viscosity
-    if (c.time.step > std::min(sound, viscous)) {
-        bool const by_sound = sound < viscous;
-        double const limit = by_sound ? sound : viscous;
-        say(errors,
-            "time.step = {} s is beyond the largest stable step, {} = {:.3g} s (h, a third of the kernel's "
-            "radius, is {:.3g} m): use 'auto' or at most {:.3g} s{}",
-            c.time.step, by_sound ? "h/c" : "h^2/nu", limit, h, (by_sound ? 0.25 : 0.125) * limit,
-            !by_sound && c.method.scheme == "projection" ? ", or method.viscous_step = 'implicit'" : "");
-    }
+    check_step(c, sound, errors);
     double const steps = c.time.step > 0 ? c.time.end / c.time.step : c.time.end / sound;
     if (steps > most_steps)
         say(errors, "time.end = {} s needs {:.1e} steps of {:.3g} s; at most {:.0e} are allowed", c.time.end, steps,
