@@ -287,12 +287,14 @@ void describe(Keys& keys, Case& c) {
     keys.number_or(
         {.path = "time.step", .unit = "s", .meaning = "time step, or auto: as long as is stable", .above = 0},
         c.time.step, "auto");
-    keys.number({.path = "time.courant",
-                 .unit = "-",
-                 .meaning = "an automatic step is at most this times h/c, h = a third of the kernel's radius",
-                 .above = 0,
-                 .at_most = 1},
-                c.time.courant);
+    keys.number(
+        {.path = "time.courant",
+         .unit = "-",
+         .meaning = "an automatic step is at most this times h/c (weakly-compressible; c the sound speed) or h/v "
+                    "(projection; v the largest speed from the mean), h = a third of the kernel's radius",
+         .above = 0,
+         .at_most = 1},
+        c.time.courant);
     keys.choice({.path = "time.stepping", .meaning = "how time is stepped"}, c.time.stepping, {"predictor-corrector"});
     keys.choice(
         {.path = "time.position_update",
