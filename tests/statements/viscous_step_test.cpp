@@ -15,6 +15,7 @@ namespace coronet {
 namespace {
 
 constexpr double k = 5.135622301840683, nu = 1e-3, decay_time = 1 / (k * k * nu), support = 3.5;
+double const rms = std::fabs(j1(k));  // of J_1(k r) over the disc, whose mean square is J_1(k)^2 - J_0(k) J_2(k)
 
 void set_azimuthal(Particles<2>& particles, std::function<double(double)> const& speed_over_r) {
     auto const view = particles.view();
@@ -89,13 +90,24 @@ TEST(ImplicitViscousStep, AtAHundredTimesTheExplicitLimitFollowsTheExplicitOneTh
     EXPECT_LT(difference2, 0.01 * 0.01 * left2);
 }
 
-TEST(ImplicitViscousStep, FollowsTheExplicitOneWhereTheLiquidMoves) {
-    // The rings pass each other by about a spacing.
+TEST(ImplicitViscousStep, AtAHundredTimesTheExplicitLimitFollowsTheExplicitOneWhereTheLiquidMoves) {
+    // The rings pass each other by a spacing in all, the fastest by 0.3 spacings in the first of three steps. Of the
+    // speeds at the start, of which a quarter is left; three steps have 0.4 % from the time stepping alone, the rest is
+    // from the pressure, which follows the viscous step instead of acting with it. Its share falls as the root of the
+    // step.
     using enum Incompressible<2>::Viscous;
-    auto const fine = decayed(14, 1e-3, 0.9, explicit_step), coarse = decayed(14, 1e-3, 20, implicit_step);
-    auto difference = fine;
-    for (std::size_t i = 0; i < fine.size(); ++i) difference[i] = coarse[i] - fine[i];
-    EXPECT_LT(size(difference), 0.03 * size(fine));
+    double const speed = 9e-4;
+    auto const fine = decayed(30, speed, 1, explicit_step);
+    double const start = speed * rms * std::sqrt(static_cast<double>(fine.size()));
+    auto const error = [&](double limits) {
+        auto difference = decayed(30, speed, limits, implicit_step);
+        for (std::size_t i = 0; i < fine.size(); ++i) difference[i] = difference[i] - fine[i];
+        return size(difference) / start;
+    };
+    EXPECT_LT(size(fine), 0.25 * start);
+    double const hundred = error(100);
+    EXPECT_LT(hundred, 0.01);
+    EXPECT_LT(error(50), 0.8 * hundred);
 }
 
 TEST(ImplicitViscousStep, BringsABinghamPlugToRestInAFewSteps) {
