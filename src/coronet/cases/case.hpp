@@ -78,13 +78,14 @@ struct Case {
         PairTerms pair_terms;
         std::string viscous_step = "explicit", pressure_operator = "consistent", pressure_kernel,
                     preconditioner = "multigrid";
-        double pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
+        std::string shifting = "none";
+        double shift_range = 1, pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
         int most_iterations = 1000;
         bool lattice_diagonal = false;
     } method;
 
     struct {
-        std::string pressure = "mirrored", fit_weights = "compact";
+        std::string tension_force = "boundary", pressure = "mirrored", fit_weights = "compact";
         double coverage_radius = 1.2, fit_width = 2.5;
         bool remove_mean_force = false;
     } surface;

@@ -172,6 +172,11 @@ void describe_projection(Keys& keys, Case& c) {
 
 void describe_surface(Keys& keys, Case& c) {
     auto& s = c.surface;
+    s.tension_force = c.dimension == 2 ? "boundary" : "curvature";
+    keys.choice({.path = "surface.tension_force",
+                 .meaning = "boundary (2D): minus the derivative of sigma times the length of the surface, which "
+                            "conserves momentum; curvature: that of fits, as Lobo (2011)"},
+                s.tension_force, {"boundary", "curvature"});
     keys.choice({.path = "surface.pressure",
                  .meaning = "of the thesis's matrix: nothing special, zero at the surface particles, or mirrored at a "
                             "surface half a spacing outside of them"},
@@ -278,6 +283,16 @@ void describe(Keys& keys, Case& c) {
                     "everything that is kept in double"},
         m.precision, {"double", "mixed"});
     describe_terms(keys, m.pair_terms);
+    keys.choice({.path = "method.shifting",
+                 .meaning = "conserving: particles that are too near are moved apart so that content and length of the "
+                            "surface, centre of mass and angular momentum stay"},
+                m.shifting, {"none", "conserving"});
+    keys.number({.path = "method.shift_range",
+                 .unit = "spacings",
+                 .meaning = "of conserving shifting: nearer than that is too near",
+                 .at_least = 0.1,
+                 .at_most = 1.5},
+                m.shift_range);
     describe_projection(keys, c);
     describe_fluid(keys, c);
     describe_surface(keys, c);

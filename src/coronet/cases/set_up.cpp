@@ -77,10 +77,18 @@ SurfaceSettings surface_settings(Case const& c) {
     double const dx = c.particles.spacing;
     return {
         .tension = c.fluid.surface_tension,
+        .force = c.surface.tension_force == "boundary" ? TensionForce::boundary : TensionForce::curvature,
         .spacing = dx,
         .coverage_radius = c.surface.coverage_radius * dx,
         .fit = {c.surface.fit_width * dx, c.surface.fit_weights == "compact" ? FitWeights::compact : FitWeights::none},
         .remove_mean_force = c.surface.remove_mean_force};
+}
+
+template <int D>
+PairTerms pair_terms(Case const& c) {
+    PairTerms terms = c.method.pair_terms;
+    static_cast<CoreRepulsion&>(terms).scale(c.particles.spacing, c.fluid.surface_tension, D);
+    return terms;
 }
 
 template <int D>
@@ -106,7 +114,7 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.courant = c.time.courant;
     s.equation_of_state = equation_of_state(c);
     s.liquid.rheology = rheology_of(c);
-    s.pair_terms = c.method.pair_terms;
+    s.pair_terms = pair_terms<D>(c);
     s.surface = surface_settings(c);
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
@@ -124,7 +132,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.liquid.rheology = rheology_of(c);
     s.density = c.fluid.density;
     s.sound_speed = c.fluid.sound_speed;
-    s.pair_terms = c.method.pair_terms;
+    s.pair_terms = pair_terms<D>(c);
     s.viscous_step =
         c.method.viscous_step == "implicit" ? Scheme::Viscous::implicit_step : Scheme::Viscous::explicit_step;
     s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;
@@ -136,6 +144,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.preconditioning = c.method.preconditioner == "jacobi" ? Preconditioning::jacobi : Preconditioning::multigrid;
     s.solve = {c.method.tolerance, c.method.most_iterations};
     s.surface = surface_settings(c);
+    s.shift_range = c.method.shifting == "conserving" ? c.method.shift_range * dx : 0;
     s.courant = c.time.courant;
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);

@@ -30,12 +30,21 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
                   settings.skin > 0 ? 0 : listing_cost),
       projection_(
           [&]() -> std::unique_ptr<PressureOperator<D>> {
-              if (settings.pressure == Operator::consistent)
-                  return std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel, GradientKind::corrected,
-                                                                 settings.compact_share);
-              auto thesis = std::make_unique<ThesisPressure<D>>(settings.pressure_kernel, settings.thesis);
-              thesis_ = thesis.get();
-              return thesis;
+              std::unique_ptr<PressureOperator<D>> pressure;
+              if (settings.pressure == Operator::consistent) {
+                  pressure = std::make_unique<ConsistentPressure<D>>(settings.pressure_kernel, GradientKind::corrected,
+                                                                     settings.compact_share);
+              } else {
+                  auto thesis = std::make_unique<ThesisPressure<D>>(settings.pressure_kernel, settings.thesis);
+                  thesis_ = thesis.get();
+                  pressure = std::move(thesis);
+              }
+              // A pressure that is zero at the surface particles has no mean to act there.
+              if (!settings.surface.acts_on_boundary() || (thesis_ && settings.thesis.surface == SurfacePressure::zero))
+                  return pressure;
+              auto on_boundary = std::make_unique<MeanOnBoundary<D>>(std::move(pressure));
+              on_boundary_ = on_boundary.get();
+              return on_boundary;
           }(),
           settings.preconditioning, settings.surface.spacing, settings.solve) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, Acceleration, PositionBefore,
@@ -47,6 +56,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
     if (is_viscous && !implicit)
         particles_.allocate(Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
+    if (settings_.shift_range > 0) shift_.emplace(settings_.shift_range, settings_.surface.spacing);
     auto const view = particles_.view();
     for_each(particles_.size(), [&](std::size_t i) {
         view.template at<Density>()[i] = settings_.density;
@@ -60,7 +70,8 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
 
 template <int D>
 bool Incompressible<D>::needs_surface() const {
-    return has_tension() || (thesis_ && settings_.thesis.surface != SurfacePressure::free);
+    return (has_tension() && !settings_.surface.acts_on_boundary()) ||
+           (thesis_ && settings_.thesis.surface != SurfacePressure::free);
 }
 
 template <int D>
@@ -113,8 +124,9 @@ void Incompressible<D>::advance(double time, double step) {
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
     if (needs_surface()) phases_.act("surface", [&] { look_at_surface(); });
     forces(time + 0.5 * step);
-    if (has_tension()) phases_.act("surface", [&] { add_tension(particles_, settings_.surface); });
+    if (has_tension()) phases_.act("surface", [&] { tension(); });
     push(step);
+    if (shift_) phases_.act("shift", [&] { shift_->find(particles_, neighbours_); });
     phases_.act("projection", [&] { project(step); });
     phases_.act("stress", [&] { set_stress(); });
     phases_.act("correct", [&] {
@@ -125,6 +137,7 @@ void Incompressible<D>::advance(double time, double step) {
             view.template set<Acceleration>(i, (1 / step) * (v - v0));
         });
     });
+    if (shift_) phases_.act("shift", [&] { shift_->apply(particles_, boundary_, step); });
     ++counters_.evaluations;
 }
 
@@ -136,6 +149,17 @@ void Incompressible<D>::look_at_surface() {
     std::vector<Vector<double, D>> normals(particles_.size());
     for_each(normals.size(), [&](std::size_t i) { normals[i] = view.template get<SurfaceNormal>(i); });
     thesis_->set_normals(std::move(normals));
+}
+
+template <int D>
+void Incompressible<D>::tension() {
+    if constexpr (D == 2)
+        if (settings_.surface.acts_on_boundary()) {
+            boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
+            if (on_boundary_) on_boundary_->set_boundary(boundary_);
+            return add_tension(particles_, boundary_, settings_.surface.tension);
+        }
+    add_tension(particles_, settings_.surface);
 }
 
 /// Sets Acceleration to that of every force but pressure, surface tension and an implicit viscous stress.
@@ -232,6 +256,10 @@ std::vector<Reading> Incompressible<D>::readings() const {
                               {"solver_iterations", static_cast<double>(solved_.iterations)},
                               {"divergence_max", divergence_}};
     if (viscous_step_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
+    if (settings_.surface.acts_on_boundary()) {
+        list.push_back({"surface_energy", settings_.surface.tension * boundary_.total_size()});
+        list.push_back({"surface_content", boundary_.total_content()});
+    }
     return list;
 }
 

@@ -9,13 +9,13 @@
 //     x_new  = x + dt (v + v_new)/2.
 // It is Lobo (2011), section 3.3, with the forces where they conserve angular momentum: half a step on. Pressure,
 // viscous stress and pair terms conserve momentum each by itself, and sum m x cross v then changes by nothing but
-// round-off; tension does not (surface/tension.hpp). Density is a constant.
+// round-off; so does tension on the boundary, that of curvatures does not. Density is a constant.
 //
 // Two pressure operators: `consistent`, whose force is the negative transpose of its divergence (Fang et al. 2009), and
 // `thesis`, Lobo's (3.61)-(3.63). Viscous stress is as in the weakly compressible scheme, with the corrected gradient
 // and its dual; its step is `explicit`, as above, or `implicit` (schemes/viscous_step.hpp): v* is then what both stress
-// and f have done to v over dt, and viscosity limits no step. Surface tension is Lobo's (3.51): sigma kappa per area
-// along the inward normal, of the surface particles.
+// and f have done to v over dt, and viscosity limits no step. Surface tension is that of surface/tension.hpp; with the
+// one that acts on the boundary the mean of the pressure does so, too (schemes/mean_on_boundary.hpp).
 //
 // Pressure, Stress = -p I + tau and Viscosity are those of the last step, half of it before the particles: what acted
 // over it. Before the first step they are 0, but for Viscosity.
@@ -25,6 +25,8 @@
 #include <optional>
 
 #include "coronet/materials/generalised_newtonian.hpp"
+#include "coronet/schemes/conserving_shift.hpp"
+#include "coronet/schemes/mean_on_boundary.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/projection.hpp"
 #include "coronet/schemes/scheme.hpp"
@@ -54,6 +56,7 @@ public:
         Preconditioning preconditioning = Preconditioning::multigrid;
         SolveLimits solve;  ///< of pressure and implicit viscous step
         SurfaceSettings surface;
+        double shift_range = 0;          ///< [m], of schemes/conserving_shift.hpp; 0: no shifting
         double courant = 0.25;           ///< safe factor on h/speed
         Vector<double, D> gravity = {};  ///< [m/s^2]
         /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
@@ -79,6 +82,7 @@ private:
     bool has_tension() const { return settings_.surface.tension > 0; }
     bool needs_surface() const;
     void look_at_surface();
+    void tension();
     void forces(double time);
     void push(double step);
     void project(double step);
@@ -87,11 +91,14 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
-    ThesisPressure<D>* thesis_ = nullptr;  ///< the projection's, if it is that one
+    Boundary<D> boundary_;                     ///< if tension acts on it
+    ThesisPressure<D>* thesis_ = nullptr;      ///< the projection's, if it is that one
+    MeanOnBoundary<D>* on_boundary_ = nullptr;  ///< around it, if there is one
     Projection<D> projection_;
     Counters counters_;
     Phases phases_;
     std::optional<ViscousStep<D>> viscous_step_;  ///< if it is implicit
+    std::optional<ConservingShift<D>> shift_;
     Solved solved_, viscous_solved_;
     double divergence_ = 0;  ///< the largest that the last projection left [1/s]
 };

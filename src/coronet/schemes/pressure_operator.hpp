@@ -6,6 +6,7 @@
 // which makes A symmetric. Virtual calls happen a few times an iteration, never per pair.
 
 #include <span>
+#include <vector>
 
 #include "coronet/neighbours/neighbours.hpp"
 #include "coronet/solvers/grid_multigrid.hpp"
@@ -24,6 +25,8 @@ public:
 
     /// b = -V div(v)/step [m^D/s^2] of the field Velocity, step in s.
     virtual void source(double step, std::span<double> b) = 0;
+    /// to = V div(v), v of every particle.
+    virtual void divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) = 0;
     /// Ap = A p [m^D/s^2], p in Pa.
     virtual void apply(std::span<double const> p, std::span<double> Ap) = 0;
     /// Particles whose gradient fell back to the plain one at the last set_up.

@@ -101,6 +101,14 @@ void ThesisPressure<D>::source(double step, std::span<double> b) {
 }
 
 template <int D>
+void ThesisPressure<D>::divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) {
+    plain_.divergence(v, to);
+    for_each(to.size(), [&](std::size_t i) {
+        if (taken_out(i)) to[i] = 0;
+    });
+}
+
+template <int D>
 void ThesisPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
     for_each(p.size(), [&](std::size_t i) {
         double sum = diagonal_[i] * p[i];

@@ -83,13 +83,16 @@ template <int D>
 void WeaklyCompressible<D>::evaluate(double time) {
     phases_.act("neighbours", [&] { update_neighbours(); });
     phases_.act("state", [&] { update_state(); });
+    bool const on_boundary = settings_.surface.acts_on_boundary();
+    if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
     if (one_sweep()) {
         phases_.act("rates", [&] { rates_in_one_sweep(); });
     } else {
         phases_.act("gradients", [&] { gradients_and_stress(); });
         phases_.act("forces", [&] { forces(); });
     }
-    if (settings_.surface.tension > 0)
+    if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
+    else if (settings_.surface.tension > 0)
         phases_.act("surface", [&] {
             find_surface(particles_, neighbours_, settings_.surface);
             add_tension(particles_, settings_.surface);
@@ -163,6 +166,42 @@ void WeaklyCompressible<D>::update_state() {
         view.template at<Pressure>()[i] = eos.pressure(rho);
         view.template at<SoundSpeed>()[i] = eos.sound_speed(rho);
         view.template at<Volume>()[i] = view.template at<Mass>()[i] / rho;
+    });
+}
+
+/// Leaves in Pressure what exceeds the mean of each piece of liquid.
+template <int D>
+void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
+    if constexpr (D == 2) boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
+    auto const view = particles_.view();
+    double const* const V = view.template at<Volume>();
+    double* const p = view.template at<Pressure>();
+    auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
+    mean_pressure_ = boundary_.sums([&](std::size_t i) { return V[i] * p[i]; });
+    for (std::size_t k = 0; k < volume.size(); ++k) mean_pressure_[k] /= volume[k];
+    for_each(particles_.size(), [&](std::size_t i) { p[i] -= mean_pressure_[boundary_.piece_of(i)]; });
+}
+
+/// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
+/// the particles differ in; the pressure is whole again.
+template <int D>
+void WeaklyCompressible<D>::act_on_boundary() {
+    auto const view = particles_.view();
+    double const* const m = view.template at<Mass>();
+    double const* const V = view.template at<Volume>();
+    double const* const rho = view.template at<Density>();
+    double* const rate = view.template at<DensityRate>();
+    auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
+    auto const excess = boundary_.sums([&](std::size_t i) {
+        return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + V[i] * rate[i] / rho[i];
+    });
+    add_tension(particles_, boundary_, settings_.surface.tension);
+    for_each(particles_.size(), [&](std::size_t i) {
+        std::size_t const k = boundary_.piece_of(i);
+        view.template set<Acceleration>(
+            i, view.template get<Acceleration>(i) + (mean_pressure_[k] / m[i]) * boundary_.of_content[i]);
+        view.template at<Pressure>()[i] += mean_pressure_[k];
+        rate[i] -= rho[i] * excess[k] / volume[k];
     });
 }
 

@@ -6,6 +6,10 @@
 //     dv/dt   = (1/rho) div sigma (61), the dual of (60), plus gravity, body force and the case's pair terms
 //     p       = p(rho),  sigma = -p I + 2 mu d   (8, 5, 6, 62), mu by the rheology
 // with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
+// Where surface tension acts on the boundary of the liquid, the mean pressure does so, too, and continuity gives each
+// piece of liquid the rate of volume of its boundary (surface/boundary.hpp): with V the volumes and a bar for their mean,
+//     drho/dt = -rho (div v - mean div v + (d content/dt)/sum V),   m dv/dt = ... (p - mean p) ... + (mean p) grad content,
+// dual to each other as (60) and (61) are.
 // In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
 // half.
 
@@ -79,6 +83,8 @@ private:
     void update_neighbours();
     void mark_zones();
     void update_state();
+    void find_boundary_and_mean_pressure();
+    void act_on_boundary();
     void gradients_and_stress();
     void forces();
     bool one_sweep() const;
@@ -87,6 +93,8 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
+    Boundary<D> boundary_;            // if tension acts on it,
+    std::vector<double> mean_pressure_;  // and that of each piece
     Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
     Counters counters_;
     Phases phases_;

@@ -35,6 +35,15 @@ void add_tension(Particles<D>& particles, SurfaceSettings const& settings) {
     });
 }
 
+template <int D>
+void add_tension(Particles<D>& particles, Boundary<D> const& boundary, double sigma) {
+    auto const view = particles.view();
+    for_each(particles.owned(), [&](std::size_t i) {
+        view.template set<Acceleration>(
+            i, view.template get<Acceleration>(i) - (sigma / view.template at<Mass>()[i]) * boundary.of_size[i]);
+    });
+}
+
 double capillary_step(SurfaceSettings const& settings, double rho) {
     if (settings.tension == 0) return std::numeric_limits<double>::infinity();
     double const dx = settings.spacing;
@@ -43,7 +52,8 @@ double capillary_step(SurfaceSettings const& settings, double rho) {
 
 #define CORONET_INSTANTIATE(D)                                                               \
     template void find_surface(Particles<D>&, Neighbours<D> const&, SurfaceSettings const&); \
-    template void add_tension(Particles<D>&, SurfaceSettings const&);
+    template void add_tension(Particles<D>&, SurfaceSettings const&);                        \
+    template void add_tension(Particles<D>&, Boundary<D> const&, double);
 CORONET_INSTANTIATE(2)
 CORONET_INSTANTIATE(3)
 #undef CORONET_INSTANTIATE

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/surface/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coronet/surface/outline.hpp"
+
+namespace coronet {
+
+namespace {
+
+/// Particles whose discs are joined get the same number, counted from 0.
+std::size_t number_pieces(Particles<2> const& particles, Neighbours<2> const& neighbours, double reach,
+                          std::vector<Index>& piece) {
+    auto const view = particles.view();
+    std::fill(piece.begin(), piece.end(), -1);
+    std::size_t pieces = 0;
+    std::vector<std::size_t> open;
+    for (std::size_t first = 0; first < piece.size(); ++first) {
+        if (piece[first] >= 0) continue;
+        auto const number = static_cast<Index>(pieces++);
+        piece[first] = number;
+        open.push_back(first);
+        while (!open.empty()) {
+            std::size_t const i = open.back();
+            open.pop_back();
+            for (Index const at : neighbours.row(i)) {
+                auto const j = static_cast<std::size_t>(at);
+                auto const x = view.get<Position>(j) - view.get<Position>(i);
+                if (piece[j] >= 0 || norm2(x) > reach * reach) continue;
+                piece[j] = number;
+                open.push_back(j);
+            }
+        }
+    }
+    return pieces;
+}
+
+using Vector2 = Vector<double, 2>;
+
+Vector2 right_of(Vector2 const& t) { return {{t[1], -t[0]}}; }
+Vector2 left_of(Vector2 const& t) { return {{-t[1], t[0]}}; }
+
+/// The corners of the boundary for one loop of the outline, and how they follow its particles.
+class Corners {
+public:
+    /// volume of a particle [m^2].
+    Corners(std::vector<Vector2> points, double volume) : x_(std::move(points)), n_(x_.size()), corners_(x_) {
+        for (std::size_t k = 0; k < n_; ++k) {
+            auto const side = x_[at(k, 1)] - x_[k];
+            length_.push_back(std::sqrt(norm2(side)));
+            along_.push_back(length_[k] > 0 ? (1 / length_[k]) * side : Vector2{});
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            auto const chord = x_[at(k, 1)] - x_[at(k, n_ - 1)];
+            chord_.push_back(std::sqrt(norm2(chord)));
+            double spread = 0;
+            for_sides(k, [&](std::size_t side) { spread += length_[side] / sides; });
+            spread_.push_back(spread);
+            // At the end of a thread the outline turns back, and there is no normal.
+            bool const has_normal = chord_[k] > 0 && spread > 0;
+            normal_.push_back(has_normal ? (1 / chord_[k]) * right_of(chord) : Vector2{});
+            out_.push_back(has_normal ? volume / (2 * spread) : 0);
+            corners_[k] += out_[k] * normal_[k];
+        }
+    }
+
+    Vector2 const& operator[](std::size_t k) const { return corners_[k]; }
+    std::size_t next(std::size_t k) const { return at(k, 1); }
+
+    /// From derivatives by the corners to those by the particles.
+    std::vector<Vector2> by_particles(std::vector<Vector2> const& by_corners) const {
+        std::vector<Vector2> total = by_corners;
+        for (std::size_t k = 0; k < n_; ++k) {
+            if (out_[k] == 0) continue;
+            auto const& F = by_corners[k];
+            double const outwards = dot(F, normal_[k]);
+            auto const turning = (out_[k] / chord_[k]) * left_of(F - outwards * normal_[k]);
+            total[at(k, 1)] += turning;
+            total[at(k, n_ - 1)] += -turning;
+            for_sides(k, [&](std::size_t side) {
+                auto const thinning = (-outwards * out_[k] / (spread_[k] * sides)) * along_[side];
+                total[at(side, 1)] += thinning;
+                total[side] += -thinning;
+            });
+        }
+        return total;
+    }
+
+private:
+    static constexpr int sides = 4;
+
+    std::size_t at(std::size_t k, std::size_t further) const { return (k + further) % n_; }
+    /// The two sides before and the two after corner k, by where they begin.
+    template <class Visit>
+    void for_sides(std::size_t k, Visit const& visit) const {
+        for (std::size_t s = 0; s < sides; ++s) visit((k + s + 2 * n_ - 2) % n_);
+    }
+
+    std::vector<Vector2> x_;
+    std::size_t n_;
+    std::vector<Vector2> corners_, along_, normal_;
+    std::vector<double> length_, chord_, spread_, out_;
+};
+
+}  // namespace
+
+Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
+                          double spacing) {
+    auto const outline = find_outline(particles, neighbours, coverage_radius);
+    std::size_t const n = particles.size();
+    particles.allocate(Fields<Surface>{});
+    auto const view = particles.view();
+    std::fill_n(view.at<Surface>(), n, 0.0);
+
+    using Vectors = std::vector<Vector<double, 2>>;
+    Boundary<2> boundary{1, std::vector<Index>(n, 0), {}, {}, Vectors(n), Vectors(n)};
+    auto const is_outer = [](Loop const& loop) { return loop.area > 0; };
+    if (std::count_if(outline.loops.begin(), outline.loops.end(), is_outer) > 1)
+        boundary.pieces = number_pieces(particles, neighbours, 2 * coverage_radius, boundary.piece);
+    boundary.size.assign(boundary.pieces, 0);
+    boundary.content.assign(boundary.pieces, 0);
+
+    for (Loop const& loop : outline.loops) {
+        Vectors points;
+        for (Index const i : loop.particles) {
+            points.push_back(view.get<Position>(static_cast<std::size_t>(i)));
+            view.at<Surface>()[i] = 1;
+        }
+        Corners const corners(points, spacing * spacing);
+        auto const piece = boundary.piece_of(static_cast<std::size_t>(loop.particles[0]));
+        Vectors of_size(points.size()), of_content(points.size());  // by the corners
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            std::size_t const next = corners.next(k);
+            auto const from = corners[k] - corners[0], side = corners[next] - corners[k];
+            double const length = std::sqrt(norm2(side));
+            if (length == 0) continue;
+            auto const along = (1 / length) * side;
+            boundary.size[piece] += length;
+            of_size[k] += -along;
+            of_size[next] += along;
+            boundary.content[piece] += 0.5 * (from[0] * side[1] - from[1] * side[0]);
+            // A side pushed outwards by a length sweeps an area of that times its own: half of it at either end.
+            of_content[k] += 0.5 * right_of(side);
+            of_content[next] += 0.5 * right_of(side);
+        }
+        of_size = corners.by_particles(of_size);
+        of_content = corners.by_particles(of_content);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            auto const i = static_cast<std::size_t>(loop.particles[k]);
+            boundary.of_size[i] += of_size[k];
+            boundary.of_content[i] += of_content[k];
+        }
+    }
+    return boundary;
+}
+
+}  // namespace coronet

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a pressure operator keeps, and what it gains, when the mean of its pressure acts on the boundary.
+
+#include "coronet/schemes/mean_on_boundary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coronet/schemes/conserving_shift.hpp"
+#include "coronet/schemes/consistent_pressure.hpp"
+#include "coronet/schemes/projection.hpp"
+#include "tests/schemes/bodies.hpp"
+
+namespace coronet {
+
+namespace {
+
+constexpr double support = 3.5;
+
+Boundary<2> boundary_of(Body<2>& body) {
+    return find_boundary(body.particles, body.neighbours, 1.2 * body.dx, body.dx);
+}
+
+std::unique_ptr<MeanOnBoundary<2>> made(Body<2> const& body, Boundary<2> const& boundary, double share = 0) {
+    auto const kernel = make_kernel("w6", 2, support * body.dx);
+    auto pressure = std::make_unique<MeanOnBoundary<2>>(
+        std::make_unique<ConsistentPressure<2>>(kernel, GradientKind::corrected, share));
+    pressure->set_boundary(boundary);
+    return pressure;
+}
+
+double torque(Body<2> const& body) {
+    auto const view = body.particles.view();
+    return sum_over(body.particles.size(), 0.0, [&](std::size_t i) {
+        auto const x = view.template get<Position>(i), a = view.template get<Acceleration>(i);
+        return view.template at<Mass>()[i] * (x[0] * a[1] - x[1] * a[0]);
+    });
+}
+
+}  // namespace
+
+TEST(MeanOnBoundary, IsSymmetricAndPositive) {
+    for (double const share : {0.0, 0.05}) {
+        auto const b = body<2>(8, 0.3, support);
+        auto const boundary = boundary_of(*b);
+        auto const A = made(*b, boundary, share);
+        A->set_up(b->particles, b->neighbours);
+        std::size_t const n = b->particles.size();
+        auto const p = random_numbers(n, 1), q = random_numbers(n, 2);
+        std::vector<double> Ap(n), Aq(n), A1(n);
+        A->apply(p, Ap);
+        A->apply(q, Aq);
+        A->apply(std::vector<double>(n, 1.0), A1);
+        EXPECT_NEAR(inner_product(q, Ap), inner_product(p, Aq), 1e-13 * inner_product(p, Ap));
+        EXPECT_GT(inner_product(std::vector<double>(n, 1.0), A1), 0);
+    }
+}
+
+TEST(MeanOnBoundary, ForceAndDivergenceAreDual) {
+    auto const b = body<2>(8, 0.3, support);
+    auto const boundary = boundary_of(*b);
+    auto const A = made(*b, boundary);
+    A->set_up(b->particles, b->neighbours);
+    std::size_t const n = b->particles.size();
+    auto const p = random_numbers(n, 1), vx = random_numbers(n, 3), vy = random_numbers(n, 4);
+    std::vector<Vector<double, 2>> v(n);
+    for (std::size_t i = 0; i < n; ++i) v[i] = {{vx[i], vy[i]}};
+    std::vector<double> divergence(n);
+    A->divergence(v, divergence);
+    A->accelerate(p);
+    auto const view = b->particles.view();
+    double const power = sum_over(n, 0.0, [&](std::size_t i) {
+        return view.at<Mass>()[i] * dot(view.get<Acceleration>(i), v[i]);
+    });
+    EXPECT_NEAR(power, inner_product(p, divergence), 1e-12 * std::fabs(power));
+}
+
+TEST(MeanOnBoundary, AConstantPressurePushesOnTheBoundaryAlone) {
+    auto const b = body<2>(10, 0.3, support);
+    auto const boundary = boundary_of(*b);
+    auto const A = made(*b, boundary);
+    A->set_up(b->particles, b->neighbours);
+    A->accelerate(std::vector<double>(b->particles.size(), 3.0));
+    auto const view = b->particles.view();
+    for (std::size_t i = 0; i < b->particles.size(); ++i)
+        EXPECT_LT(norm2(view.at<Mass>()[i] * view.get<Acceleration>(i) - 3.0 * boundary.of_content[i]), 1e-24);
+}
+
+TEST(MeanOnBoundary, ConservesMomentumAndAngularMomentum) {
+    auto const b = body<2>(8, 0.3, support);
+    auto const boundary = boundary_of(*b);
+    auto const A = made(*b, boundary);
+    A->set_up(b->particles, b->neighbours);
+    std::size_t const n = b->particles.size();
+    A->accelerate(random_numbers(n, 5));
+    auto const view = b->particles.view();
+    double const forces = sum_over(n, 0.0, [&](std::size_t i) {
+        return view.at<Mass>()[i] * std::sqrt(norm2(view.get<Acceleration>(i)));
+    });
+    auto const sum = sum_over(n, Vector<double, 2>{}, [&](std::size_t i) {
+        return view.at<Mass>()[i] * view.get<Acceleration>(i);
+    });
+    EXPECT_LT(std::sqrt(norm2(sum)), 1e-14 * forces);
+    EXPECT_LT(std::fabs(torque(*b)), 1e-14 * forces);
+}
+
+TEST(MeanOnBoundary, LeavesNoDivergenceAndTheContentAsItIs) {
+    auto const b = body<2>(10, 0.3, support);
+    auto const boundary = boundary_of(*b);
+    auto pressure = made(*b, boundary);
+    Projection<2> projection(std::move(pressure), Preconditioning::jacobi, b->dx, {1e-10, 4000});
+    auto const view = b->particles.view();
+    std::size_t const n = b->particles.size();
+    auto const vx = random_numbers(n, 3), vy = random_numbers(n, 4);
+    for (std::size_t i = 0; i < n; ++i) view.set<Velocity>(i, {{vx[i], vy[i]}});
+    auto const rate = [&] {
+        return sum_over(n, 0.0, [&](std::size_t i) { return dot(boundary.of_content[i], view.get<Velocity>(i)); });
+    };
+    double const before = rate();
+    EXPECT_TRUE(projection.project(b->particles, b->neighbours, 1e-3).converged);
+    EXPECT_LT(std::fabs(rate()), 1e-8 * std::fabs(before));
+}
+
+TEST(ConservingShift, KeepsCentreAngularMomentumSizeAndContentAndPartsWhatIsNear) {
+    auto const b = body<2>(12, 0.5, support);
+    auto const boundary = boundary_of(*b);
+    auto& particles = b->particles;
+    auto const view = particles.view();
+    std::size_t const n = particles.size();
+    auto const vx = random_numbers(n, 3), vy = random_numbers(n, 4);
+    std::vector<Vector<double, 2>> before(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        view.at<Mass>()[i] *= 1 + 0.2 * static_cast<double>(i % 3);
+        view.set<Velocity>(i, {{vx[i], vy[i]}});
+        before[i] = view.get<Position>(i);
+    }
+    auto const close_energy = [&] {  // of what is shifted against
+        double sum = 0;
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                double const lack = b->dx - std::sqrt(norm2(view.get<Position>(i) - view.get<Position>(j)));
+                sum += lack > 0 ? lack * lack : 0;
+            }
+        return sum;
+    };
+    double const energy = close_energy();
+    ConservingShift<2> shift(b->dx, b->dx);
+    shift.find(particles, b->neighbours);
+    shift.apply(particles, boundary, 1e-3);
+
+    Vector<double, 2> centre{}, momentum{};
+    double turn = 0, size = 0, content = 0, moved = 0, size_moves = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        auto const d = view.get<Position>(i) - before[i], v = view.get<Velocity>(i);
+        double const m = view.at<Mass>()[i];
+        centre += m * d;
+        momentum += m * v;
+        turn += m * (d[0] * v[1] - d[1] * v[0]);
+        size += dot(boundary.of_size[i], d);
+        content += dot(boundary.of_content[i], d);
+        moved += m * std::sqrt(norm2(d));
+        size_moves += std::sqrt(norm2(boundary.of_size[i]) * norm2(d));
+    }
+    EXPECT_GT(moved, 0);
+    EXPECT_LT(std::sqrt(norm2(centre)), 1e-13 * moved);
+    EXPECT_LT(std::fabs(turn), 1e-12 * moved);
+    EXPECT_LT(std::fabs(size), 1e-11 * size_moves);
+    EXPECT_LT(std::fabs(content), 1e-11 * size_moves);
+    EXPECT_LT(close_energy(), energy);
+}
+
+}  // namespace coronet
