@@ -14,7 +14,7 @@ template <int D>
 class Snapshot {
 public:
     /// Borrows the particles and the case.
-    Snapshot(double time, Particles<D> const& particles, Case const& c) : time(time), particles(particles), case_(c) {}
+    Snapshot(double at, Particles<D> const& of, Case const& c) : time(at), particles(of), case_(c) {}
 
     double const time;
     Particles<D> const& particles;
