@@ -20,6 +20,23 @@ namespace {
 
 constexpr double first_skin = 0.03, listing_cost = 0.8;  // as in the weakly compressible scheme
 
+void expect_convergence(std::string_view what, std::string_view where, Solved const& solved,
+                        SolveLimits const& limits) {
+    if (solved.converged) return;
+    std::string const reached =
+        fmt::format("after {} iterations{} the residual is {:.2g} of the right-hand side", solved.iterations,
+                    where, solved.residual);
+    if (solved.broke_down)
+        throw RunError(
+            fmt::format("the equation of the {} broke down: it is not positive definite, or a number is not "
+                        "finite; {} (more iterations do not help, a shorter step may: time.step)",
+                        what, reached));
+    throw RunError(
+        fmt::format("the {} did not converge: {}, and {:.2g} is asked for (method.tolerance), with at most "
+                    "{} iterations a solve (method.most_iterations)",
+                    what, reached, limits.tolerance, limits.most_iterations));
+}
+
 }  // namespace
 
 template <int D>
@@ -212,13 +229,7 @@ void Incompressible<D>::push(double step) {
     counters_.singular_matrices += counters_.singular_now;
     if (!settings_.liquid.is_newtonian())
         std::copy(viscous.viscosity().begin(), viscous.viscosity().end(), view.template at<Viscosity>());
-    if (!viscous_solved_.converged)
-        throw RunError(
-            fmt::format("the viscous step did not converge: after {} iterations in its two solves the residual is "
-                        "{:.2g} of the right-hand side, and {:.2g} is asked for (method.tolerance), with at most {} "
-                        "iterations a solve (method.most_iterations)",
-                        viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
-                        settings_.solve.most_iterations));
+    expect_convergence("viscous step", " in its two solves", viscous_solved_, settings_.solve);
 }
 
 template <int D>
@@ -228,12 +239,7 @@ void Incompressible<D>::project(double step) {
     auto const singular = static_cast<std::int64_t>(projection_.pressure().singular_matrices());
     counters_.singular_now += singular;
     counters_.singular_matrices += singular;
-    if (!solved_.converged)
-        throw RunError(
-            fmt::format("the pressure did not converge: after {} iterations the residual is {:.2g} of the "
-                        "right-hand side, and {:.2g} is asked for (method.tolerance, "
-                        "method.most_iterations)",
-                        solved_.iterations, solved_.residual, settings_.solve.tolerance));
+    expect_convergence("pressure", "", solved_, settings_.solve);
 }
 
 /// The explicit sweep left the viscous part in Stress; the implicit step has it; an inviscid liquid has none.

@@ -67,8 +67,8 @@ Solved ViscousStep<D>::advance(Particles<D>& particles, Neighbours<D> const& nei
         }
         view.template set<Velocity>(i, v);
     });
-    return {first.converged && second.converged, first.iterations + second.iterations,
-            std::max(first.residual, second.residual)};
+    return {first.converged && second.converged, first.broke_down || second.broke_down,
+            first.iterations + second.iterations, std::max(first.residual, second.residual)};
 }
 
 template class ViscousStep<2>;

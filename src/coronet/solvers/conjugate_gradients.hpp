@@ -22,6 +22,9 @@ struct SolveLimits {
 
 struct Solved {
     bool converged = false;
+    /// Not for want of iterations: a direction with p . A p <= 0 (A is not definite where b is), or a number that is
+    /// not finite.
+    bool broke_down = false;
     int iterations = 0;
     double residual = 0;  ///< |b - A x|/|b| as the iteration knows it
 };
@@ -52,14 +55,18 @@ public:
             return r_[i] * r_[i];
         });
         double rz_before = 0;
-        while (!(r2 <= goal2) && result.iterations < limits.most_iterations) {
+        auto const good = [&] { return std::isfinite(r2) && r2 <= goal2; };
+        while (!good() && result.iterations < limits.most_iterations) {
             precondition(std::span<double const>(r_), std::span(z_));
             double const rz = inner_product(r_, z_), beta = rz_before > 0 ? rz / rz_before : 0;
             for_each(n, [&](std::size_t i) { p_[i] = z_[i] + beta * p_[i]; });
             A(std::span<double const>(p_), std::span(Ap_));
             double const pAp = inner_product(p_, Ap_);
             ++result.iterations;
-            if (!(pAp > 0)) break;  // nothing is left that A can see, or a number has become none
+            if (!(pAp > 0 && std::isfinite(pAp) && std::isfinite(rz))) {
+                result.broke_down = true;
+                break;
+            }
             double const alpha = rz / pAp;
             r2 = sum_over(n, 0.0, [&](std::size_t i) {
                 x[i] += alpha * p_[i];
@@ -68,7 +75,7 @@ public:
             });
             rz_before = rz;
         }
-        result.converged = r2 <= goal2;
+        result.converged = good();
         result.residual = std::sqrt(r2 / b2);
         return result;
     }
