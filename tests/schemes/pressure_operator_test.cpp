@@ -21,8 +21,8 @@ Kernel kernel(Body<D> const& body) {
 }
 
 template <int D>
-std::unique_ptr<PressureOperator<D>> consistent(Body<D> const& body, GradientKind kind) {
-    return std::make_unique<ConsistentPressure<D>>(kernel(body), kind);
+std::unique_ptr<PressureOperator<D>> consistent(Body<D> const& body, GradientKind kind, double compact_share = 0) {
+    return std::make_unique<ConsistentPressure<D>>(kernel(body), kind, compact_share);
 }
 template <int D>
 std::unique_ptr<ThesisPressure<D>> thesis(Body<D> const& body, SurfacePressure surface, bool lattice_diagonal = false) {
@@ -36,7 +36,7 @@ template <int D>
 std::vector<std::unique_ptr<PressureOperator<D>>> every_operator(Body<D> const& body) {
     std::vector<std::unique_ptr<PressureOperator<D>>> all;
     for (auto kind : {GradientKind::plain, GradientKind::corrected})
-        all.push_back(consistent(body, kind));
+        for (double const compact_share : {0.0, 0.3}) all.push_back(consistent(body, kind, compact_share));
     for (auto surface : {SurfacePressure::free, SurfacePressure::zero, SurfacePressure::mirrored})
         for (bool lattice_diagonal : {false, true}) all.push_back(thesis(body, surface, lattice_diagonal));
     return all;
@@ -202,6 +202,20 @@ TEST(ConsistentPressure, OnALatticeComesCloserToThePressureAsTheSpacingFalls) {
     double const coarse = error(10), fine = error(40);
     EXPECT_LT(fine, 0.03);
     EXPECT_GT(std::log(coarse / fine) / std::log(4.0), 0.4) << coarse << " " << fine;
+}
+
+TEST(ConsistentPressure, WithAShareTheMultigridTakesAsManyIterationsForAnyNumberOfParticles) {
+    auto const iterations = [](int spacings, Preconditioning preconditioning) {
+        auto const b = body<2>(spacings, 0.1, support);
+        set_smooth_velocity(b->particles);
+        Projection<2> projection(consistent(*b, GradientKind::corrected, 0.05), preconditioning, b->dx, {1e-8, 1000});
+        auto const solved = projection.project(b->particles, b->neighbours, 1e-3);
+        EXPECT_TRUE(solved.converged);
+        return solved.iterations;
+    };
+    EXPECT_LT(iterations(64, Preconditioning::multigrid), iterations(16, Preconditioning::multigrid) + 5);
+    EXPECT_LT(iterations(64, Preconditioning::multigrid), 40);
+    EXPECT_GT(iterations(64, Preconditioning::jacobi), 2 * iterations(16, Preconditioning::jacobi));
 }
 
 TEST(Projection, GivesTheSameBitsForAnyNumberOfThreads) {

@@ -3,39 +3,66 @@
 
 namespace coronet {
 
+namespace {
+
+using Lanes = Pack<double>;
+
+}  // namespace
+
 template <int D>
 void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const& neighbours) {
     particles_ = &particles;
     particles.allocate(Fields<Velocity, Acceleration>{});
-    gradients_.set_up(particles, neighbours, kernel_, kind_);
+    gradients_.set_up(particles, neighbours, kernel_, kind_, compact_share_ > 0);
     diagonal_.clear();
     auto const view = particles.view();
-    volume_per_density_.resize(particles.size());
-    for_each(particles.size(), [&](std::size_t i) {
-        volume_per_density_[i] = view.template at<Volume>()[i] / view.template at<Density>()[i];
+    std::size_t const n = particles.size();
+    inverse_mass_.resize(n);
+    for (auto& component : velocity_) component.resize(n);
+    for_each(n, [&](std::size_t i) {
+        inverse_mass_[i] = 1 / view.template at<Mass>()[i];
+        set_velocity(i, inverse_mass_[i] * gradients_.push_of_constant(i));
     });
-    if (compact_share_ == 0) return;
-    of_constant_.resize(particles.size());
-    force(std::vector<double>(particles.size(), 1.0), velocity_);
-    divergence(1, velocity_, of_constant_);
+    if (compact_share_ > 0) set_up_compact();
 }
 
-/// V_i V_j (1/rho_i + 1/rho_j) W'/r, which for a uniform density is that of Lobo.
+/// The entries of d C: V_i V_j (1/rho_i + 1/rho_j) W'/r off the diagonal, which for a uniform density is that of Lobo,
+/// and minus their sum and d A 1 on it. The velocity must be that of a constant pressure of one.
 template <int D>
-double ConsistentPressure<D>::compact(std::size_t i, typename KeptGradients<D>::Link const& link) const {
-    double const* const V = particles_->view().template at<Volume>();
-    auto const j = static_cast<std::size_t>(link.j);
-    return -(V[i] * volume_per_density_[j] + volume_per_density_[i] * V[j]) * link.F;
+void ConsistentPressure<D>::set_up_compact() {
+    std::size_t const n = gradients_.size();
+    std::vector<double> inverse_density(n);
+    double const* const rho = particles_->view().template at<Density>();
+    for_each(n, [&](std::size_t i) { inverse_density[i] = 1 / rho[i]; });
+    compact_diagonal_.resize(n);
+    for_each(n, [&](std::size_t i) {
+        Lanes const mine(inverse_density[i]), d(compact_share_);
+        Lanes row(0.0);
+        gradients_.change_slopes(i, [&](Index const* j, Lanes const& slope) {
+            Lanes const entry = d * (slope * (mine + fetch_one(inverse_density.data(), j)));
+            row += entry;
+            return entry;
+        });
+        compact_diagonal_[i] = compact_share_ * divergence(i) - sum(row);
+    });
 }
 
 template <int D>
-void ConsistentPressure<D>::divergence(double factor, std::vector<Vector<double, D>> const& v,
-                                       std::span<double> to) const {
-    auto const view = particles_->view();
-    for_each(to.size(), [&](std::size_t i) {
-        auto const grad_v = gradients_.gradient(i, [&](std::size_t j) { return v[j]; });
-        to[i] = factor * view.template at<Volume>()[i] * trace(grad_v);
+void ConsistentPressure<D>::set_velocity(std::size_t i, Vector<double, D> const& v) {
+    unrolled<D>([&](int a) { velocity_[a][i] = v[a]; });
+}
+
+/// V_i div_i of the velocity.
+template <int D>
+double ConsistentPressure<D>::divergence(std::size_t i) const {
+    Vector<Lanes, D> total;
+    gradients_.for_gradients(i, [&](Index const* j, Vector<Lanes, D> const& G) {
+        unrolled<D>([&](int a) { total[a] += G[a] * fetch_one(velocity_[a].data(), j); });
     });
+    double own = 0;
+    unrolled<D>([&](int a) { own += gradients_.own(i)[a] * velocity_[a][i]; });
+    unrolled<D - 1>([&](int a) { total[0] += total[a + 1]; });
+    return sum(total[0]) + own;
 }
 
 template <int D>
@@ -46,75 +73,76 @@ void ConsistentPressure<D>::source(double step, std::span<double> b) {
     Vector<double, D> const mean = (1 / static_cast<double>(n)) * sum_over(n, Vector<double, D>{}, [&](std::size_t i) {
                                        return view.template get<Velocity>(i);
                                    });
-    velocity_.resize(n);
-    for_each(n, [&](std::size_t i) { velocity_[i] = view.template get<Velocity>(i) - mean; });
-    divergence(-1 / step, velocity_, b);
+    for_each(n, [&](std::size_t i) { set_velocity(i, view.template get<Velocity>(i) - mean); });
+    for_each(n, [&](std::size_t i) { b[i] = -divergence(i) / step; });
 }
 
-template <int D>
-void ConsistentPressure<D>::force(std::span<double const> p, std::vector<Vector<double, D>>& to) {
-    auto const view = particles_->view();
-    to.resize(p.size());
-    gradients_.transposed(
-        [&](std::size_t i) {
-            Symmetric<double, D> stress;
-            unrolled<D>([&](int a) { stress(a, a) = p[i]; });
-            return stress;
-        },
-        [&](std::size_t i, Vector<double, D> const& sum) { to[i] = (-1 / view.template at<Density>()[i]) * sum; });
-}
-
+/// B^T p and what C adds share a pass: both want the pressures of the neighbours.
 template <int D>
 void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
-    force(p, velocity_);
-    divergence(1 - compact_share_, velocity_, Ap);
-    if (compact_share_ == 0) return;
+    bool const compact = compact_share_ > 0;
     for_each(p.size(), [&](std::size_t i) {
-        double sum = 0;
-        for (auto const& link : gradients_.row(i))
-            sum += compact(i, link) * (p[i] - p[static_cast<std::size_t>(link.j)]);
-        Ap[i] += compact_share_ * (sum + of_constant_[i] * p[i]);
+        Vector<Lanes, D> push;
+        Lanes of_compact(0.0);
+        if (compact)
+            gradients_.for_pushes_and_slopes(i, [&](Index const* j, Vector<Lanes, D> const& G, Lanes const& entry) {
+                Lanes const p_j = fetch_one(p.data(), j);
+                push += p_j * G;
+                of_compact += p_j * entry;
+            });
+        else
+            gradients_.for_pushes(
+                i, [&](Index const* j, Vector<Lanes, D> const& G) { push += fetch_one(p.data(), j) * G; });
+        Vector<double, D> force = p[i] * gradients_.own(i);
+        unrolled<D>([&](int a) { force[a] += sum(push[a]); });
+        set_velocity(i, inverse_mass_[i] * force);
+        if (compact) Ap[i] = compact_diagonal_[i] * p[i] + sum(of_compact);
     });
+    for_each(p.size(),
+             [&](std::size_t i) { Ap[i] = compact ? Ap[i] + (1 - compact_share_) * divergence(i) : divergence(i); });
 }
 
 template <int D>
 void ConsistentPressure<D>::accelerate(std::span<double const> p) {
     auto const view = particles_->view();
-    force(p, velocity_);
-    for_each(p.size(), [&](std::size_t i) { view.template set<Acceleration>(i, velocity_[i]); });
+    for_each(p.size(), [&](std::size_t i) {
+        Vector<Lanes, D> push;
+        gradients_.for_pushes(i,
+                              [&](Index const* j, Vector<Lanes, D> const& G) { push += fetch_one(p.data(), j) * G; });
+        Vector<double, D> force = p[i] * gradients_.own(i);
+        unrolled<D>([&](int a) { force[a] += sum(push[a]); });
+        view.template set<Acceleration>(i, inverse_mass_[i] * force);
+    });
 }
 
-/// B_ij = V_i C_ij off the diagonal and -V_i g_i on it, so that of A is sum_j |B_ij|^2/m_j.
+/// That of A is sum_j |G_ij|^2/m_j.
 template <int D>
 std::span<double const> ConsistentPressure<D>::diagonal() {
     if (!diagonal_.empty()) return diagonal_;
     diagonal_.resize(particles_->size());
-    auto const view = particles_->view();
     for_each(diagonal_.size(), [&](std::size_t i) {
-        double sum = norm2(gradients_.correction(i).g) / view.template at<Mass>()[i], of_compact = 0;
-        for (auto const& link : gradients_.row(i)) {
-            auto const j = static_cast<std::size_t>(link.j);
-            sum += view.template at<Volume>()[j] / view.template at<Density>()[j] * norm2(gradients_.weight(i, link));
-            of_compact += compact(i, link);
-        }
-        double const V = view.template at<Volume>()[i];
-        diagonal_[i] = (1 - compact_share_) * V * V * sum +
-                       compact_share_ * (of_compact + (compact_share_ > 0 ? of_constant_[i] : 0));
+        Lanes of_others(0.0);
+        gradients_.for_gradients(i, [&](Index const* j, Vector<Lanes, D> const& G) {
+            of_others += fetch_one(inverse_mass_.data(), j) * norm2(G);
+        });
+        double const of_A = sum(of_others) + inverse_mass_[i] * norm2(gradients_.own(i));
+        diagonal_[i] = (1 - compact_share_) * of_A + (compact_share_ > 0 ? compact_diagonal_[i] : 0);
     });
     return diagonal_;
 }
 
-/// p^T A p = sum_i m_i |dv_i(p)|^2, and the force of a smooth p is that of grad p and of the local value.
+/// p^T A p = sum_i m_i |dv_i(p)|^2, and the force of a smooth p is that of grad p and of the local value. The square of
+/// their sum is at most twice the sum of their squares, which is taken: the sum itself vanishes for p that grow
+/// outwards at the surface by e in about a spacing, and a grid that believes in it gives them all they ask for.
 template <int D>
-SmoothEnergy<D> ConsistentPressure<D>::smooth_energy() {
+SmoothEnergy ConsistentPressure<D>::smooth_energy() {
     auto const view = particles_->view();
     std::size_t const n = particles_->size();
-    SmoothEnergy<D> energy{std::vector<double>(n), std::vector<Vector<double, D>>(n), std::vector<double>(n)};
-    force(std::vector<double>(n, 1.0), energy.w);
+    SmoothEnergy energy{std::vector<double>(n), std::vector<double>(n)};
     for_each(n, [&](std::size_t i) {
-        double const rho = view.template at<Density>()[i];
-        energy.a[i] = view.template at<Volume>()[i] / rho;
-        energy.w[i] = -rho * energy.w[i];
+        double const V = view.template at<Volume>()[i];
+        energy.a[i] = V / view.template at<Density>()[i];
+        energy.e[i] = energy.a[i] * norm2(gradients_.push_of_constant(i)) / (V * V);
     });
     return energy;
 }

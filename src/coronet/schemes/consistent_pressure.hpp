@@ -38,29 +38,25 @@ public:
     void divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) override { divergence(1, v, to); }
     void apply(std::span<double const> p, std::span<double> Ap) override;
     std::span<double const> diagonal() override;
-    SmoothEnergy<D> smooth_energy() override;
+    SmoothEnergy smooth_energy() override;
     void accelerate(std::span<double const> p) override;
 
     std::size_t singular_matrices() const override { return gradients_.singular_matrices(); }
 
 private:
-    /// dv/dt of all particles under p, to `to`.
-    void force(std::span<double const> p, std::vector<Vector<double, D>>& to);
-    /// to[i] = factor V_i div_i(v).
-    void divergence(double factor, std::vector<Vector<double, D>> const& v, std::span<double> to) const;
-
-    /// Minus the entry of C.
-    double compact(std::size_t i, typename KeptGradients<D>::Link const& link) const;
+    void set_up_compact();
+    void set_velocity(std::size_t i, Vector<double, D> const& v);
+    double divergence(std::size_t i) const;
 
     Kernel kernel_;
     GradientKind kind_;
     double compact_share_;
-    std::vector<double> volume_per_density_;  ///< [m^(D+3)/kg]
-    std::vector<double> of_constant_;         ///< A 1
+    std::vector<double> inverse_mass_;  ///< [1/kg]
     Particles<D>* particles_ = nullptr;
-    KeptGradients<D> gradients_;
-    std::vector<Vector<double, D>> velocity_;
-    std::vector<double> diagonal_;  ///< empty until it is asked for
+    KeptGradients<D> gradients_;  ///< with the entries of d C for its slopes
+    std::vector<double> compact_diagonal_;
+    std::vector<double> velocity_[D];  ///< whose divergence is formed
+    std::vector<double> diagonal_;     ///< empty until it is asked for
 };
 
 }  // namespace coronet

@@ -1,68 +1,157 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/kept_gradients.hpp"
 
+#include <type_traits>
+
+#include "coronet/core/parallel.hpp"
 #include "coronet/terms/gradient_correction.hpp"
 
 namespace coronet {
 
-/// The rows of neighbours inside the support, with the kernel between them.
 template <int D>
-void KeptGradients<D>::list(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel) {
-    std::size_t const n = particles.size();
-    auto const view = particles.view();
-    double const H2 = kernel.support * kernel.support;
-    auto const for_near = [&](std::size_t i, auto const& act) {
-        auto const x_i = view.template get<Position>(i);
-        for (Index const j : neighbours.row(i)) {
-            auto const x = x_i - view.template get<Position>(static_cast<std::size_t>(j));
-            double const r2 = norm2(x);
-            if (r2 < H2) act(j, x, r2);
-        }
-    };
-    begin_.assign(n + 1, 0);
-    for_each(n, [&](std::size_t i) { for_near(i, [&](auto const&...) { ++begin_[i + 1]; }); });
-    for (std::size_t i = 0; i < n; ++i) begin_[i + 1] += begin_[i];
-    links_.resize(begin_[n] + 1);
-    for_each(n, [&](std::size_t i) {
-        std::size_t next = begin_[i];
-        for_near(i, [&](Index j, Vector<double, D> const& x, double r2) {
-            auto const [W, F] = kernel(r2);
-            links_[next++] = {F * x, W, F, j};
-        });
+struct KeptGradients<D>::Records {
+    static constexpr int q = D * D, volume = q + D, groups = (volume + 4) / 4;
+
+    double* first;
+    std::size_t stride;
+
+    double* group(int g) const { return first + static_cast<std::size_t>(g) * stride; }
+    double& position(std::size_t i, int k) const { return first[4 * i + static_cast<std::size_t>(k)]; }
+    double& correction(std::size_t i, int k) const { return group(1 + k / 4)[4 * i + static_cast<std::size_t>(k % 4)]; }
+};
+
+namespace {
+
+/// V_i V_j grad W~_ij, written once: the same numbers give the same bits in the rows of both.
+template <int D, class R>
+Vector<R, D> weighted(R const& VV, R const* Lq, Vector<R, D> const& gradW, R const& W) {
+    Vector<R, D> G;
+    unrolled<D>([&](int a) {
+        R sum = Lq[D * a] * gradW[0];
+        unrolled<D - 1>([&](int b) { sum += Lq[D * a + b + 1] * gradW[b + 1]; });
+        G[a] = VV * (sum - Lq[D * D + a] * W);
+    });
+    return G;
+}
+
+}  // namespace
+
+/// Room for the rows, as long as they are listed: what lies between support and skin is little, and weighs nothing.
+template <int D>
+void KeptGradients<D>::lay(Neighbours<D> const& neighbours, std::size_t n, bool with_slopes) {
+    begin_.resize(n + 1);
+    own_.resize(n);
+    push_of_constant_.resize(n);
+    begin_[0] = 0;
+    for (std::size_t i = 0; i < n; ++i) begin_[i + 1] = begin_[i] + (neighbours.places(i).size() + lanes - 1) / lanes;
+    std::size_t const packs = begin_[n];
+    index_.resize(packs * lanes);
+    gradient_.resize(packs * lanes * D);
+    push_.resize(packs * lanes * D);
+    slope_.resize(with_slopes ? packs * lanes : 0);
+}
+
+/// The row of i with grad W, W and W'/r where G_ij, G_ji and the slope will stand, and its correction to the records.
+/// Returns whether that fell back.
+template <int D>
+template <int knots>
+[[gnu::flatten]] bool KeptGradients<D>::list(std::size_t i, Records const& records, Neighbours<D> const& neighbours,
+                                             Kernel const& kernel, GradientKind kind) {
+    Lanes const far(4 * kernel.support * kernel.support);
+    Vector<Lanes, D> x_i;
+    unrolled<D>([&](int a) { x_i[a] = Lanes(records.position(i, a)); });
+    auto const places = neighbours.places(i);
+
+    using Moments = Symmetric<Lanes, D>;
+    constexpr int sums = 1 + 2 * D + Moments::size, room = (sums + 7) / 8 * 8;
+    Lanes total[room] = {};  // W0, W1, G0, G1 of terms/gradient_correction.hpp
+    for (std::size_t k = 0, at = begin_[i]; k < places.size(); k += lanes, ++at) {
+        Index const* const place = places.data() + k;
+        Lanes number[4];
+        fetch_four(records.first, place, number);
+        Vector<Lanes, D> x;
+        unrolled<D>([&](int a) { x[a] = x_i[a] - number[a]; });
+        auto const [W, F] = kernel.template at<knots>(keep_first(norm2(x), places.size() - k, far));
+        Vector<Lanes, D> const gradW = F * x;
+        for (std::size_t lane = 0; lane < lanes; ++lane) index_[at * lanes + lane] = place[lane];
+        write(gradW, gradient_, at);
+        store(W, &push_[at * lanes * D]);
+        if (!slope_.empty()) store(F, &slope_[at * lanes]);
+        Lanes const V = number[D], VW = V * W;
+        Vector<Lanes, D> const VG = V * gradW;
+        Moments const G1 = outer_of_parallels(VG, x);
+        total[0] += VW;
+        unrolled<D>([&](int a) { total[1 + a] -= VW * x[a]; });
+        unrolled<D>([&](int a) { total[1 + D + a] += VG[a]; });
+        unrolled<Moments::size>([&](int m) { total[1 + 2 * D + m] -= G1[m]; });
+    }
+    for (std::size_t end = begin_[i] * lanes + places.size(); end < begin_[i + 1] * lanes; ++end)
+        index_[end] = Neighbours<D>::place * static_cast<Index>(i);
+    double sum[room];
+    for (int s = 0; s < room; s += 8) sum_eight(total + s, sum + s);
+    Vector<double, D> W1, G0;
+    Symmetric<double, D> G1;
+    unrolled<D>([&](int a) { W1[a] = sum[1 + a], G0[a] = sum[1 + D + a]; });
+    unrolled<Moments::size>([&](int m) { G1[m] = sum[1 + 2 * D + m]; });
+
+    double const V_i = records.position(i, D);
+    Matrix<double, D> L = identity<double, D>();
+    Vector<double, D> q;
+    bool fell_back = false;
+    if (kind == GradientKind::corrected) {
+        GradientCorrection<double, D> const c(sum[0] + V_i * kernel.at_zero(), W1, G0, G1);
+        L = c.L, q = c.q, fell_back = c.fell_back > 0;
+    }
+    unrolled<D * D>([&](int ab) { records.correction(i, ab) = L[ab]; });
+    unrolled<D>([&](int a) { records.correction(i, Records::q + a) = q[a]; });
+    records.correction(i, Records::volume) = V_i;
+    return fell_back;
+}
+
+/// Puts what the row of i keeps in the place of the kernels, and numbers of neighbours in that of their places.
+template <int D>
+[[gnu::flatten]] void KeptGradients<D>::weigh(std::size_t i, Records const& records) {
+    Lanes mine[Records::volume + 1], its[4 * Records::groups];
+    unrolled<Records::volume + 1>([&](int k) { mine[k] = Lanes(records.correction(i, k)); });
+    Vector<Lanes, D> out, in;
+    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
+        Index* const row = &index_[k * lanes];
+        unrolled<Records::groups>([&](int g) { fetch_four(records.group(1 + g), row, its + 4 * g); });
+        Lanes const VV = mine[Records::volume] * its[Records::volume], W = load(&push_[k * lanes * D]);
+        Vector<Lanes, D> const gradW = read(gradient_, k), G = weighted<D>(VV, mine, gradW, W),
+                               push = weighted<D>(VV, its, -gradW, W);
+        write(G, gradient_, k);
+        write(push, push_, k);
+        if (!slope_.empty()) store(VV * load(&slope_[k * lanes]), &slope_[k * lanes]);
+        out += G;
+        in += push;
+        for (std::size_t lane = 0; lane < lanes; ++lane) row[lane] /= Neighbours<D>::place;
+    }
+    unrolled<D>([&](int a) {
+        own_[i][a] = -sum(out[a]);
+        push_of_constant_[i][a] = sum(in[a]) + own_[i][a];
     });
 }
 
 template <int D>
 void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
-                              GradientKind kind) {
-    list(particles, neighbours, kernel);
-    std::size_t const n = particles.size();
+                              GradientKind kind, bool with_slopes) {
+    std::size_t const n = particles.size(), stride = 4 * n;
     auto const view = particles.view();
-    volume_.assign(view.template at<Volume>(), view.template at<Volume>() + n);
-    correction_.resize(n);
-    double const W_at_zero = kernel.at_zero();
-    singular_matrices_ = static_cast<std::size_t>(sum_over(n, 0.0, [&](std::size_t i) {
-        double W0 = 0;
-        Vector<double, D> W1, G0;
-        Symmetric<double, D> G1;
-        auto const x_i = view.template get<Position>(i);
-        for (Link const& link : row(i)) {
-            auto const j = static_cast<std::size_t>(link.j);
-            double const V = volume_[j];
-            auto const x = view.template get<Position>(j) - x_i;
-            W0 += V * link.W;
-            W1 += (V * link.W) * x;
-            G0 += V * link.gradW;
-            G1 += outer_of_parallels(V * link.gradW, x);
-        }
-        if (kind == GradientKind::plain) {
-            correction_[i] = {identity<double, D>(), {}, G0};
-            return 0.0;
-        }
-        GradientCorrection<double, D> const c(W0 + volume_[i] * W_at_zero, W1, G0, G1);
-        correction_[i] = {c.L, c.q, c.L * G0 - W0 * c.q};
-        return c.fell_back;
-    }));
+    Records const records{particles.template scratch<double>((1 + Records::groups) * stride), stride};
+    lay(neighbours, n, with_slopes);
+    for_each(n, [&](std::size_t i) {
+        unrolled<D>([&](int a) { records.position(i, a) = view.template at<Position>(a)[i]; });
+        records.position(i, D) = view.template at<Volume>()[i];
+    });
+    auto const list_all = [&]<int knots>(std::integral_constant<int, knots>) {
+        return sum_over(n, 0.0,
+                        [&](std::size_t i) { return list<knots>(i, records, neighbours, kernel, kind) ? 1.0 : 0.0; });
+    };
+    singular_matrices_ =
+        static_cast<std::size_t>(kernel.knots == 1 ? list_all(std::integral_constant<int, 1>{})
+                                                   : list_all(std::integral_constant<int, Kernel::most_knots>{}));
+    for_each(n, [&](std::size_t i) { weigh(i, records); });
 }
 
 template class KeptGradients<2>;

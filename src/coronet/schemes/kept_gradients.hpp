@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The gradient of a velocity on particles that stand still, and its transpose, for operators that a solve applies a
-// hundred times to the same arrangement. With the corrected gradient grad W~_ij = L_i grad W_ij - q_i W_ij
-// (terms/gradient_correction.hpp) and g_i = sum_j V_j grad W~_ij over the neighbours, Fang et al. (2009) Eqs 46 and 52,
-//     grad_i(v)       = sum_j V_j v_j (x) grad W~_ij - v_i (x) g_i,
-//     (grad^T V S)_i  = -V_i (S_i g_i + sum_j ((V S L)_j grad W_ij + (V S q)_j W_ij)),
-// S a symmetric tensor of each particle: sum V S : grad(v) = sum v . grad^T V S for every v. A force -grad^T V S keeps
-// momentum to round-off, and with the corrected gradient angular momentum, too, but where it fell back to the plain
-// one.
+// The gradient on particles that stand still, and its transpose, for operators that a solve applies a hundred times to
+// the same arrangement: G = V grad as a matrix of vectors. With the corrected gradient grad W~_ij = L_i grad W_ij - q_i
+// W_ij (terms/gradient_correction.hpp), Fang et al. (2009) Eqs 46 and 52,
+//     V_i grad_i(v) = sum_j v_j (x) G_ij + v_i (x) G_ii,     G_ij = V_i V_j grad W~_ij,  G_ii = -sum_j G_ij,
+//     (G^T S)_i     = sum_j S_j G_ji + S_i G_ii,
+// j over the neighbours. A constant has no gradient, and what G^T gives has no sum: a force G^T S keeps momentum to
+// round-off, and with the corrected gradient angular momentum, too, but where it fell back to the plain one.
 //
-// The kernel and its gradient are kept for every pair: an application is then two passes over them, a tenth of the
-// time of two sweeps that evaluate the kernel.
+// Both G_ij and G_ji are kept in the row of i, each rounded the same in both rows, pack by pack of neighbours: an
+// application streams through them and fetches of j only what it acts on. Units: G is in m^(D-1).
 
-#include <span>
+#include <cstddef>
 #include <vector>
 
-#include "coronet/core/parallel.hpp"
+#include "coronet/core/simd.hpp"
+#include "coronet/core/tensor.hpp"
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/neighbours/neighbours.hpp"
 
@@ -28,83 +28,72 @@ enum class GradientKind { plain, corrected };
 template <int D>
 class KeptGradients {
 public:
-    struct Link {
-        Vector<double, D> gradW;  ///< of i for its neighbour j [1/m^(D+1)]
-        double W;                 ///< [1/m^D]
-        double F;                 ///< W'/r [1/m^(D+2)]
-        Index j;
-    };
-    /// What a particle is to its own row and to those of its neighbours.
-    struct Correction {
-        Matrix<double, D> L;
-        Vector<double, D> q, g;  ///< [1/m]
-    };
+    using Lanes = Pack<double>;
 
-    /// Of the fields Position and Volume and the lists of now.
-    void set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
-                GradientKind kind);
+    /// Of the fields Position and Volume and the lists of now; with slopes, if they are wanted.
+    void set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel, GradientKind kind,
+                bool with_slopes = false);
 
-    std::size_t size() const { return correction_.size(); }
-    /// The neighbours of i inside the support.
-    std::span<Link const> row(std::size_t i) const { return {&links_[begin_[i]], begin_[i + 1] - begin_[i]}; }
-    Correction const& correction(std::size_t i) const { return correction_[i]; }
-    /// What a neighbour's value adds to the gradient of i: grad W~_ij.
-    Vector<double, D> weight(std::size_t i, Link const& link) const {
-        return correction_[i].L * link.gradW - link.W * correction_[i].q;
-    }
+    std::size_t size() const { return own_.size(); }
     /// Particles whose corrected gradient fell back to the plain one.
     std::size_t singular_matrices() const { return singular_matrices_; }
 
-    /// grad_v(a, b) = dv_a/dx_b at i, of v(j).
-    template <class Field>
-    Matrix<double, D> gradient(std::size_t i, Field const& v) const {
-        Matrix<double, D> slope;
-        Vector<double, D> jump;
-        for (Link const& link : row(i)) {
-            auto const j = static_cast<std::size_t>(link.j);
-            Vector<double, D> const Vv = volume_[j] * v(j);
-            slope += outer(Vv, link.gradW);
-            jump += link.W * Vv;
-        }
-        Correction const& at = correction_[i];
-        return product<double, D>(slope, transpose(at.L)) - outer(jump, at.q) - outer(v(i), at.g);
-    }
+    /// G_ii.
+    Vector<double, D> const& own(std::size_t i) const { return own_[i]; }
+    /// (G^T 1)_i: the force of a constant pressure of one.
+    Vector<double, D> const& push_of_constant(std::size_t i) const { return push_of_constant_[i]; }
 
-    /// give(i, -(grad^T V S)_i/V_i) for all particles, of stress(i), a Symmetric tensor S_i.
-    template <class Stress, class Give>
-    void transposed(Stress const& stress, Give const& give) {
-        push_.resize(size());
-        own_.resize(size());
-        for_each(size(), [&](std::size_t i) {
-            Symmetric<double, D> const S = stress(i), VS = volume_[i] * S;
-            Correction const& at = correction_[i];
-            push_[i] = {product<double, D>(VS, at.L), VS * at.q};
-            own_[i] = S * at.g;
-        });
-        for_each(size(), [&](std::size_t i) {
-            Vector<double, D> sum = own_[i];
-            for (Link const& link : row(i)) {
-                Push const& push = push_[static_cast<std::size_t>(link.j)];
-                sum += push.VSL * link.gradW + link.W * push.VSq;
-            }
-            give(i, sum);
-        });
+    /// act(j, G_ij) for every pack of neighbours j of i. The last is filled up with i itself and zeros, and so are
+    /// neighbours beyond the support.
+    template <class Act>
+    void for_gradients(std::size_t i, Act const& act) const {
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) act(&index_[k * lanes], read(gradient_, k));
+    }
+    /// act(j, G_ji).
+    template <class Act>
+    void for_pushes(std::size_t i, Act const& act) const {
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) act(&index_[k * lanes], read(push_, k));
+    }
+    /// act(j, G_ji, slope): the slope is V_i V_j W'/r [m^(D-2)] until a caller has put another number in its place.
+    template <class Act>
+    void for_pushes_and_slopes(std::size_t i, Act const& act) const {
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+            act(&index_[k * lanes], read(push_, k), load(&slope_[k * lanes]));
+    }
+    /// Puts change(j, slope) in the place of each slope in the row of i.
+    template <class Change>
+    void change_slopes(std::size_t i, Change const& change) {
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+            store(change(&index_[k * lanes], load(&slope_[k * lanes])), &slope_[k * lanes]);
     }
 
 private:
-    struct Push {
-        Matrix<double, D> VSL;
-        Vector<double, D> VSq;
-    };
+    static constexpr std::size_t lanes = pack_size<double>;
+    using Rows = std::vector<double>;
 
-    void list(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel);
+    Vector<Lanes, D> read(Rows const& rows, std::size_t k) const {
+        Vector<Lanes, D> w;
+        unrolled<D>([&](int a) { w[a] = load(&rows[(k * D + static_cast<std::size_t>(a)) * lanes]); });
+        return w;
+    }
+    void write(Vector<Lanes, D> const& w, Rows& rows, std::size_t k) {
+        unrolled<D>([&](int a) { store(w[a], &rows[(k * D + static_cast<std::size_t>(a)) * lanes]); });
+    }
 
-    std::vector<double> volume_;
-    std::vector<std::size_t> begin_;  ///< of the row of i in links_
-    std::vector<Link> links_;
-    std::vector<Correction> correction_;
-    std::vector<Push> push_;
-    std::vector<Vector<double, D>> own_;
+    /// What a pair reads of its particles, in groups of four numbers that the places of the lists point to: group 0 is
+    /// position and volume, those behind it L, q and volume.
+    struct Records;
+
+    void lay(Neighbours<D> const& neighbours, std::size_t n, bool with_slopes);
+    template <int knots>
+    bool list(std::size_t i, Records const& records, Neighbours<D> const& neighbours, Kernel const& kernel,
+              GradientKind kind);
+    void weigh(std::size_t i, Records const& records);
+
+    std::vector<std::size_t> begin_;  ///< of the packs of the row of i
+    std::vector<Index> index_;
+    Rows gradient_, push_, slope_;
+    std::vector<Vector<double, D>> own_, push_of_constant_;
     std::size_t singular_matrices_ = 0;
 };
 

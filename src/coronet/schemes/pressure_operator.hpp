@@ -34,7 +34,7 @@ public:
     /// The diagonal of A.
     virtual std::span<double const> diagonal() = 0;
     /// What A does to smooth pressures, for a multigrid: a = V/rho.
-    virtual SmoothEnergy<D> smooth_energy() = 0;
+    virtual SmoothEnergy smooth_energy() = 0;
     /// Sets the field Acceleration to that of the pressure p [Pa].
     virtual void accelerate(std::span<double const> p) = 0;
 };

@@ -119,10 +119,10 @@ void ThesisPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
 
 /// p^T A p = 1/2 sum_ij a_ij (p_i - p_j)^2 + sum_i (A 1)_i p_i^2 for any symmetric matrix.
 template <int D>
-SmoothEnergy<D> ThesisPressure<D>::smooth_energy() {
+SmoothEnergy ThesisPressure<D>::smooth_energy() {
     auto const view = particles_->view();
     std::size_t const n = particles_->size();
-    SmoothEnergy<D> energy{std::vector<double>(n), std::vector<Vector<double, D>>(n), std::vector<double>(n)};
+    SmoothEnergy energy{std::vector<double>(n), std::vector<double>(n)};
     apply(std::vector<double>(n, 1.0), energy.e);
     for_each(n, [&](std::size_t i) {
         if (taken_out(i)) energy.e[i] = 0;

@@ -46,7 +46,7 @@ public:
     void divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) override;
     void apply(std::span<double const> p, std::span<double> Ap) override;
     std::span<double const> diagonal() override { return diagonal_; }
-    SmoothEnergy<D> smooth_energy() override;
+    SmoothEnergy smooth_energy() override;
     void accelerate(std::span<double const> p) override { plain_.accelerate(p); }
 
     /// The matrix off its diagonal: row i holds column[k], value[k] for k from begin[i] to begin[i + 1].

@@ -12,11 +12,21 @@ void ViscousOperator<D>::set_up(Particles<D> const& particles, Neighbours<D> con
 
 template <int D>
 Matrix<double, D> ViscousOperator<D>::gradient(std::size_t i, std::span<double const> v) const {
-    return gradients_.gradient(i, [&](std::size_t j) {
-        Vector<double, D> v_j;
-        unrolled<D>([&](int k) { v_j[k] = v[D * j + static_cast<std::size_t>(k)]; });
-        return v_j;
+    using R = typename KeptGradients<D>::Lanes;
+    Matrix<R, D> slope;
+    gradients_.for_gradients(i, [&](Index const* j, Vector<R, D> const& G) {
+        Index place[pack_size<double>];
+        for (int lane = 0; lane < pack_size<double>; ++lane) place[lane] = D * j[lane];
+        Vector<R, D> v_j;
+        unrolled<D>([&](int a) { v_j[a] = fetch_one(&v[static_cast<std::size_t>(a)], place); });
+        slope += outer(v_j, G);
     });
+    Matrix<double, D> grad;
+    unrolled<D * D>([&](int ab) {
+        grad[ab] =
+            (sum(slope[ab]) + v[D * i + static_cast<std::size_t>(ab / D)] * gradients_.own(i)[ab % D]) / volume_[i];
+    });
+    return grad;
 }
 
 template <int D>
@@ -29,29 +39,47 @@ void ViscousOperator<D>::set_viscosity(GeneralisedNewtonian const& liquid, std::
 
 template <int D>
 void ViscousOperator<D>::apply(std::span<double const> v, std::span<double> Kv) {
-    gradients_.transposed(
-        [&](std::size_t i) { return stress(i, v); },
-        [&](std::size_t i, Vector<double, D> const& sum) {
-            unrolled<D>([&](int k) { Kv[D * i + static_cast<std::size_t>(k)] = -volume_[i] * sum[k]; });
+    using R = typename KeptGradients<D>::Lanes;
+    constexpr int size = Symmetric<double, D>::size;
+    std::size_t const n = gradients_.size();
+    stress_.resize(size * n);
+    for_each(n, [&](std::size_t i) {
+        auto const S = stress(i, v);
+        unrolled<size>([&](int m) { stress_[static_cast<std::size_t>(m) * n + i] = S[m]; });
+    });
+    for_each(n, [&](std::size_t i) {
+        Vector<R, D> push;
+        gradients_.for_pushes(i, [&](Index const* j, Vector<R, D> const& G) {
+            Symmetric<R, D> S;
+            unrolled<size>([&](int m) { S[m] = fetch_one(&stress_[static_cast<std::size_t>(m) * n], j); });
+            push += S * G;
         });
+        Symmetric<double, D> S;
+        unrolled<size>([&](int m) { S[m] = stress_[static_cast<std::size_t>(m) * n + i]; });
+        auto const own = S * gradients_.own(i);
+        unrolled<D>([&](int k) { Kv[D * i + static_cast<std::size_t>(k)] = sum(push[k]) + own[k]; });
+    });
 }
 
 /// A gradient v (x) c has 2 d : d = |v|^2 |c|^2 + (1 - 2/D) (v . c)^2. The velocity of i enters its own gradient with
-/// c = -g_i and that of its neighbour j with c = V_i grad W~_ji.
+/// c = G_ii/V_i and that of its neighbour j with c = G_ji/V_j.
 template <int D>
 void ViscousOperator<D>::diagonal(std::span<double> K) const {
-    for_each(gradients_.size(), [&](std::size_t i) {
-        Vector<double, D> sum;
-        auto const add = [&](double Vmu, Vector<double, D> const& c) {
-            double const c2 = norm2(c);
-            unrolled<D>([&](int k) { sum[k] += Vmu * (c2 + (1 - 2.0 / D) * c[k] * c[k]); });
+    using R = typename KeptGradients<D>::Lanes;
+    std::size_t const n = gradients_.size();
+    std::vector<double> mu_per_volume(n);
+    for_each(n, [&](std::size_t i) { mu_per_volume[i] = viscosity_[i] / volume_[i]; });
+    for_each(n, [&](std::size_t i) {
+        auto const add = []<class N>(N const& mu, Vector<N, D> const& G, Vector<N, D>& to) {
+            N const G2 = norm2(G);
+            unrolled<D>([&](int k) { to[k] += mu * (G2 + N(1 - 2.0 / D) * G[k] * G[k]); });
         };
-        add(volume_[i] * viscosity_[i], gradients_.correction(i).g);
-        for (auto const& link : gradients_.row(i)) {
-            auto const j = static_cast<std::size_t>(link.j);
-            add(volume_[j] * viscosity_[j], volume_[i] * gradients_.weight(j, {-link.gradW, link.W, link.F, link.j}));
-        }
-        unrolled<D>([&](int k) { K[D * i + static_cast<std::size_t>(k)] = sum[k]; });
+        Vector<R, D> of_others;
+        gradients_.for_pushes(
+            i, [&](Index const* j, Vector<R, D> const& G) { add(fetch_one(mu_per_volume.data(), j), G, of_others); });
+        Vector<double, D> total;
+        add(mu_per_volume[i], gradients_.own(i), total);
+        unrolled<D>([&](int k) { K[D * i + static_cast<std::size_t>(k)] = total[k] + sum(of_others[k]); });
     });
 }
 

@@ -42,6 +42,7 @@ private:
     Kernel kernel_;
     KeptGradients<D> gradients_;
     std::vector<double> volume_, viscosity_;
+    std::vector<double> stress_;  ///< component by component [Pa]
 };
 
 }  // namespace coronet

@@ -138,7 +138,7 @@ auto GridMultigrid<D>::hats(std::size_t point) const -> Corners {
 }
 
 template <int D>
-void GridMultigrid<D>::set_up(Particles<D> const& particles, SmoothEnergy<D> const& energy,
+void GridMultigrid<D>::set_up(Particles<D> const& particles, SmoothEnergy const& energy,
                               std::span<double const> diagonal, double spacing) {
     std::size_t const n = particles.size();
     auto const view = particles.view();
@@ -189,20 +189,19 @@ void GridMultigrid<D>::set_up(Particles<D> const& particles, SmoothEnergy<D> con
         for (std::size_t at = begin_[c]; at < begin_[c + 1]; ++at) {
             auto const i = static_cast<std::size_t>(points_[at]);
             Corners const hat = hats(i);
-            Vector<double, D> force[corners];
+            Vector<double, D> slope_of[corners];
             for (int b = 0; b < corners; ++b) {
-                force[b] = hat[b] * energy.w[i];
                 for (int k = 0; k < D; ++k) {
                     double slope = (b >> k & 1 ? 1 : -1) / spacing;
                     for (int l = 0; l < D; ++l)
                         if (l != k) slope *= (b >> l & 1) ? place_[i][l] : 1.0 - place_[i][l];
-                    force[b][k] += slope;
+                    slope_of[b][k] = slope;
                 }
             }
             for (int b = 0; b < corners; ++b)
                 for (int other = 0; other < corners; ++other)
                     E[b * corners + other] +=
-                        energy.a[i] * dot(force[b], force[other]) + energy.e[i] * hat[b] * hat[other];
+                        energy.a[i] * dot(slope_of[b], slope_of[other]) + energy.e[i] * hat[b] * hat[other];
         }
     });
     assemble(levels_[0], elements);

@@ -3,9 +3,10 @@
 
 // A multigrid preconditioner for operators on scattered points whose energy is, for smooth p, that of a Laplacian with
 // a boundary,
-//     p^T A p = sum_i a_i |grad p(x_i) + p(x_i) w_i|^2 + e_i p(x_i)^2.
-// What is known of the boundary is in w_i (a pressure operator that is a square: its force of a constant pressure is
-// nothing inside, and at a free surface the push that makes p vanish there) or in e_i (the row sums of a matrix).
+//     p^T A p = sum_i a_i |grad p(x_i)|^2 + e_i p(x_i)^2,
+// up to a factor that does not grow with the number of points. What is known of the boundary is in e_i: the row sums of
+// a matrix, or of a pressure operator that is a square the size of its force of a constant pressure, which is nothing
+// inside and at a free surface the push that makes p vanish there.
 // Points have no natural hierarchy, so an auxiliary Cartesian grid carries the smooth part: with multilinear
 // interpolation P from its nodes, P^T A P is summed cell by cell from the points inside; hat functions of a grid with
 // twice the spacing are sums of those of the finer one, so all coarser matrices follow from the cells' (the Galerkin
@@ -25,11 +26,9 @@
 namespace coronet {
 
 /// What A does to smooth p, point by point.
-template <int D>
 struct SmoothEnergy {
     std::vector<double> a;
-    std::vector<Vector<double, D>> w;  ///< [1/m]
-    std::vector<double> e;
+    std::vector<double> e;  ///< in units of a/m^2
 };
 
 template <int D>
@@ -37,7 +36,7 @@ class GridMultigrid {
 public:
     /// Particles at Position with the energy of A; the finest grid has this spacing [m], or twice that, and
     /// so on, where they lie so far apart that nodes would outnumber them by far. The diagonal of A is borrowed.
-    void set_up(Particles<D> const& particles, SmoothEnergy<D> const& energy, std::span<double const> diagonal,
+    void set_up(Particles<D> const& particles, SmoothEnergy const& energy, std::span<double const> diagonal,
                 double spacing);
 
     void operator()(std::span<double const> r, std::span<double> z);
