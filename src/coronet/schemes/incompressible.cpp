@@ -23,9 +23,8 @@ constexpr double first_skin = 0.03, listing_cost = 0.8;  // as in the weakly com
 void expect_convergence(std::string_view what, std::string_view where, Solved const& solved,
                         SolveLimits const& limits) {
     if (solved.converged) return;
-    std::string const reached =
-        fmt::format("after {} iterations{} the residual is {:.2g} of the right-hand side", solved.iterations,
-                    where, solved.residual);
+    std::string const reached = fmt::format("after {} iterations{} the residual is {:.2g} of the right-hand side",
+                                            solved.iterations, where, solved.residual);
     if (solved.broke_down)
         throw RunError(
             fmt::format("the equation of the {} broke down: it is not positive definite, or a number is not "

@@ -28,6 +28,14 @@ constexpr double share(int child, int c, int b) {
     return s;
 }
 
+/// A coarse hat function at the fine node m of the 3^D around its own.
+template <int D>
+constexpr double hat_at(int m) {
+    double s = 1;
+    for (int k = 0; k < D; ++k) s *= offset(m, k) == 0 ? 1 : 0.5;
+    return s;
+}
+
 }  // namespace
 
 /// The cells that hold any item, numbered in the order of their first item, with their nodes; cell_of says each item's,
@@ -101,7 +109,33 @@ auto GridMultigrid<D>::lay(std::array<int, D> const& cells, std::vector<std::arr
     });
     level.r.assign(nodes + 1, 0.0);
     level.z.assign(nodes + 1, 0.0);
+    level.left.assign(nodes + 1, 0.0);
     return level;
+}
+
+/// A fine node takes the mean over both neighbours along each axis, which are one where it lies on a coarse one. Cells
+/// that share a node say the same of it.
+template <int D>
+void GridMultigrid<D>::link(Level& fine, Level& coarse) {
+    fine.coarser.resize(fine.near.size());
+    coarse.finer.resize(coarse.near.size());
+    for (auto& around : coarse.finer) around.fill(static_cast<Index>(fine.near.size()));
+    for (std::size_t c = 0; c < fine.cell.size(); ++c)
+        for (int b = 0; b < corners; ++b) {
+            Index const n = fine.corner[c][b];
+            for (int pick = 0; pick < corners; ++pick) {
+                int to = 0, m = 0;
+                for (int k = D - 1; k >= 0; --k) {
+                    int const half = (fine.cell[c][k] & 1) + (b >> k & 1);  // position in the parent: 0, 1/2 or 1
+                    int const side = half == 1 ? pick >> k & 1 : half / 2;
+                    to |= side << k;
+                    m = 3 * m + half - 2 * side + 1;
+                }
+                Index const above = coarse.corner[fine.parent[c]][to];
+                fine.coarser[n][pick] = above;
+                coarse.finer[above][m] = n;
+            }
+        }
 }
 
 template <int D>
@@ -213,6 +247,7 @@ void GridMultigrid<D>::set_up(Particles<D> const& particles, SmoothEnergy const&
         for (auto& p : parents)
             for (int& c : p) c /= 2;
         Level coarse = lay(cells, parents, fine.parent);
+        link(fine, coarse);
         std::vector<Element> sums(coarse.cell.size());
         for (auto& E : sums) E.fill(0);
         for (std::size_t c = 0; c < fine.cell.size(); ++c) {
@@ -263,34 +298,18 @@ void GridMultigrid<D>::cycle(std::size_t l) {
         for (int colour = 0; colour < corners; ++colour) smooth(level, colour);
     if (!coarsest) {
         Level& coarse = levels_[l + 1];
-        // A coarse node gathers from the children around it; each fine node is looked at once, by its lowest cell.
-        std::fill(coarse.r.begin(), coarse.r.end(), 0.0);
-        for (std::size_t c = 0; c < level.cell.size(); ++c) {
-            int child = 0;
-            for (int k = 0; k < D; ++k) child |= (level.cell[c][k] & 1) << k;
-            for (int b = 0; b < corners; ++b) {
-                auto const n = static_cast<std::size_t>(level.corner[c][b]);
-                bool first = true;
-                for (int other = corners - 1; other > b; --other) first = first && level.around[n][other] < 0;
-                if (!first) continue;
-                double const d = residual(level, n);
-                for (int to = 0; to < corners; ++to)
-                    coarse.r[coarse.corner[level.parent[c]][to]] += share<D>(child, b, to) * d;
-            }
-        }
+        for_each(level.nodes(), [&](std::size_t n) { level.left[n] = residual(level, n); });
+        for_each(coarse.nodes(), [&](std::size_t n) {
+            double s = 0;
+            for (int m = 0; m < reach; ++m) s += hat_at<D>(m) * level.left[coarse.finer[n][m]];
+            coarse.r[n] = s;
+        });
         cycle(l + 1);
-        for (std::size_t c = 0; c < level.cell.size(); ++c) {
-            int child = 0;
-            for (int k = 0; k < D; ++k) child |= (level.cell[c][k] & 1) << k;
-            for (int b = 0; b < corners; ++b) {
-                auto const n = static_cast<std::size_t>(level.corner[c][b]);
-                bool first = true;
-                for (int other = corners - 1; other > b; --other) first = first && level.around[n][other] < 0;
-                if (!first) continue;
-                for (int to = 0; to < corners; ++to)
-                    level.z[n] += share<D>(child, b, to) * coarse.z[coarse.corner[level.parent[c]][to]];
-            }
-        }
+        for_each(level.nodes(), [&](std::size_t n) {
+            double s = 0;
+            for (Index const from : level.coarser[n]) s += coarse.z[from];
+            level.z[n] += s / corners;
+        });
     }
     for (int sweep = 0; sweep < (coarsest ? 4 : 1); ++sweep)
         for (int colour = corners - 1; colour >= 0; --colour) smooth(level, colour);

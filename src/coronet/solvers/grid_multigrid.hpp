@@ -50,22 +50,25 @@ private:
     using Element = std::array<double, corners * corners>;
 
     struct Level {
-        std::array<int, D> cells = {};                   // of the box
-        std::vector<std::array<int, D>> cell;            // those that exist
-        std::vector<std::array<Index, corners>> corner;  // their nodes
-        std::vector<std::array<Index, corners>> around;  // of each node: the cells around it, or -1
-        std::vector<std::array<Index, reach>> near;      // of each node: the nodes around it, or the spare one
-        std::vector<std::array<double, reach>> matrix;   // its row, in the same order
-        std::vector<double> inverse;                     // of the diagonal
-        std::vector<Index> colour[corners];              // nodes that no matrix entry connects
-        std::vector<Index> parent;                       // of each cell: the cell of the next level
-        std::vector<double> r, z;                        // with a spare entry at the end, zero
+        std::array<int, D> cells = {};                    // of the box
+        std::vector<std::array<int, D>> cell;             // those that exist
+        std::vector<std::array<Index, corners>> corner;   // their nodes
+        std::vector<std::array<Index, corners>> around;   // of each node: the cells around it, or -1
+        std::vector<std::array<Index, reach>> near;       // of each node: the nodes around it, or the spare one
+        std::vector<std::array<double, reach>> matrix;    // its row, in the same order
+        std::vector<double> inverse;                      // of the diagonal
+        std::vector<Index> colour[corners];               // nodes that no matrix entry connects
+        std::vector<Index> parent;                        // of each cell: the cell of the next level
+        std::vector<std::array<Index, corners>> coarser;  // of each node: those of the next level whose mean it takes
+        std::vector<std::array<Index, reach>> finer;  // of each node: those of the level before it, or the spare one
+        std::vector<double> r, z, left;               // with a spare entry at the end, zero; left: the residual
 
         std::size_t nodes() const { return matrix.size(); }
     };
 
     Level lay(std::array<int, D> const& cells, std::vector<std::array<int, D>> const& cell_of_item,
               std::vector<Index>& cell_of);
+    static void link(Level& fine, Level& coarse);
     void assemble(Level& level, std::vector<Element> const& elements) const;
     static void smooth(Level& level, int colour);
     static double residual(Level const& level, std::size_t node);
