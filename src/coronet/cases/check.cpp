@@ -238,8 +238,6 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "surface.pressure = 'free' leaves the pressure of the thesis's matrix open by a constant, and it has no "
             "solution: use 'mirrored' or 'zero', or method.lattice_diagonal = true");
-    if (static_cast<CoreRepulsion const&>(c.method.pair_terms).active() && c.fluid.surface_tension == 0)
-        say(errors, "method.core_range is for surface tension, whose strength it has, but fluid.surface_tension is 0 N/m");
     if (c.fluid.surface_tension > 0 && c.surface.tension_force == "boundary" && D == 3)
         say(errors, "surface.tension_force = 'boundary' is for dimension = 2 only: use 'curvature' in 3D");
     if (c.fluid.surface_tension > 0 || (thesis && c.surface.pressure != "free")) {

@@ -85,13 +85,6 @@ SurfaceSettings surface_settings(Case const& c) {
 }
 
 template <int D>
-PairTerms pair_terms(Case const& c) {
-    PairTerms terms = c.method.pair_terms;
-    static_cast<CoreRepulsion&>(terms).scale(c.particles.spacing, c.fluid.surface_tension, D);
-    return terms;
-}
-
-template <int D>
 Vector<double, D> gravity(Case const& c) {
     Vector<double, D> g;
     for (int k = 0; k < D; ++k) g[k] = c.fluid.gravity[k];
@@ -114,7 +107,7 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.courant = c.time.courant;
     s.equation_of_state = equation_of_state(c);
     s.liquid.rheology = rheology_of(c);
-    s.pair_terms = pair_terms<D>(c);
+    s.pair_terms = c.method.pair_terms;
     s.surface = surface_settings(c);
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
@@ -132,7 +125,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.liquid.rheology = rheology_of(c);
     s.density = c.fluid.density;
     s.sound_speed = c.fluid.sound_speed;
-    s.pair_terms = pair_terms<D>(c);
+    s.pair_terms = c.method.pair_terms;
     s.viscous_step =
         c.method.viscous_step == "implicit" ? Scheme::Viscous::implicit_step : Scheme::Viscous::explicit_step;
     s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;

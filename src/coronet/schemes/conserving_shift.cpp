@@ -9,20 +9,35 @@ namespace coronet {
 
 namespace {
 
-/// The component of x cross v about axis k.
-double moment(Vector<double, 2> const& x, Vector<double, 2> const& v, int) { return x[0] * v[1] - x[1] * v[0]; }
-double moment(Vector<double, 3> const& x, Vector<double, 3> const& v, int k) {
-    int const a = (k + 1) % 3, b = (k + 2) % 3;
-    return x[a] * v[b] - x[b] * v[a];
+/// The velocity at x of a rotation about axis k.
+Vector<double, 2> rotation(Vector<double, 2> const& x, int) { return {{-x[1], x[0]}}; }
+Vector<double, 3> rotation(Vector<double, 3> const& x, int k) {
+    Vector<double, 3> v;
+    v[k] = 0;
+    v[(k + 1) % 3] = -x[(k + 2) % 3];
+    v[(k + 2) % 3] = x[(k + 1) % 3];
+    return v;
 }
-/// Its derivative by x.
-Vector<double, 2> turned(Vector<double, 2> const& v, int) { return {{v[1], -v[0]}}; }
-Vector<double, 3> turned(Vector<double, 3> const& v, int k) {
-    Vector<double, 3> derivative;
-    derivative[(k + 1) % 3] = v[(k + 2) % 3];
-    derivative[(k + 2) % 3] = -v[(k + 1) % 3];
-    return derivative;
-}
+
+/// Momentum and moment about an origin of the particles of one piece.
+template <int D>
+struct Motion {
+    static constexpr int axes = D == 2 ? 1 : 3;
+    double mass = 0;
+    Vector<double, D> centre{}, momentum{};  // both times mass
+    Eigen::Matrix<double, axes, 1> moment = Eigen::Matrix<double, axes, 1>::Zero();
+    Eigen::Matrix<double, axes, axes> inertia = Eigen::Matrix<double, axes, axes>::Zero();
+
+    void add(double m, Vector<double, D> const& x, Vector<double, D> const& v) {
+        mass += m;
+        centre += m * x;
+        momentum += m * v;
+        for (int a = 0; a < axes; ++a) {
+            moment(a) += m * dot(rotation(x, a), v);
+            for (int b = 0; b < axes; ++b) inertia(a, b) += m * dot(rotation(x, a), rotation(x, b));
+        }
+    }
+};
 
 }  // namespace
 
@@ -46,67 +61,107 @@ void ConservingShift<D>::find(Particles<D> const& particles, Neighbours<D> const
     });
 }
 
+/// The motion of each piece, with positions relative to `origin`.
 template <int D>
-void ConservingShift<D>::apply(Particles<D>& particles, Boundary<D> const& boundary, double step) {
-    constexpr int axes = D == 2 ? 1 : 3;
+std::vector<Motion<D>> motions(Particles<D> const& particles, Boundary<D> const& boundary,
+                               Vector<double, D> const& origin) {
+    std::vector<Motion<D>> motions(boundary.pieces);
+    auto const view = particles.view();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        motions[boundary.piece_of(i)].add(view.template at<Mass>()[i], view.template get<Position>(i) - origin,
+                                          view.template get<Velocity>(i));
+    return motions;
+}
+
+/// Takes from the shifts what would change the size or the content of a piece. On a circle both change alike: where
+/// their gradients hardly differ, they count as one.
+template <int D>
+void ConservingShift<D>::keep_size_and_content(Particles<D> const& particles, Boundary<D> const& boundary) {
+    double const* const m = particles.view().template at<Mass>();
+    auto const &S = boundary.of_size, &G = boundary.of_content;
+    auto const SS = boundary.sums([&](std::size_t i) { return norm2(S[i]) / m[i]; });
+    auto const SG = boundary.sums([&](std::size_t i) { return dot(S[i], G[i]) / m[i]; });
+    auto const GG = boundary.sums([&](std::size_t i) { return norm2(G[i]) / m[i]; });
+    auto const Sd = boundary.sums([&](std::size_t i) { return dot(S[i], shift_[i]); });
+    auto const Gd = boundary.sums([&](std::size_t i) { return dot(G[i], shift_[i]); });
+    std::vector<double> of_size(boundary.pieces, 0), of_content(boundary.pieces, 0);
+    for (std::size_t k = 0; k < boundary.pieces; ++k) {
+        double const determinant = SS[k] * GG[k] - SG[k] * SG[k];
+        if (determinant > 1e-9 * SS[k] * GG[k]) {
+            of_size[k] = (GG[k] * Sd[k] - SG[k] * Gd[k]) / determinant;
+            of_content[k] = (SS[k] * Gd[k] - SG[k] * Sd[k]) / determinant;
+        } else if (GG[k] > 0) {
+            of_content[k] = Gd[k] / GG[k];
+        }
+    }
+    for_each(shift_.size(), [&](std::size_t i) {
+        std::size_t const k = boundary.piece_of(i);
+        shift_[i] += (-1 / m[i]) * (of_size[k] * S[i] + of_content[k] * G[i]);
+    });
+}
+
+/// grad v at a particle, exact for linear fields; 0 where its neighbours do not span space.
+template <int D>
+Matrix<double, D> ConservingShift<D>::gradient(View<D> const& view, Neighbours<D> const& neighbours, std::size_t i) {
+    double const H2 = neighbours.support() * neighbours.support();
+    auto const x = view.template get<Position>(i), v = view.template get<Velocity>(i);
+    Eigen::Matrix<double, D, D> moments = Eigen::Matrix<double, D, D>::Zero(), slopes = moments;
+    for (Index const at : neighbours.row(i)) {
+        auto const j = static_cast<std::size_t>(at);
+        auto const r = view.template get<Position>(j) - x, dv = view.template get<Velocity>(j) - v;
+        double const w = 1 - norm2(r) / H2;
+        if (w <= 0) continue;
+        for (int a = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b) {
+                moments(a, b) += w * r[a] * r[b];
+                slopes(a, b) += w * dv[a] * r[b];
+            }
+    }
+    Matrix<double, D> gradient{};
+    double const scale = moments.trace() / D;
+    if (!(moments.determinant() > 1e-6 * std::pow(scale, D))) return gradient;
+    Eigen::Matrix<double, D, D> const solved = slopes * moments.inverse();
+    for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) gradient(a, b) = solved(a, b);
+    return gradient;
+}
+
+template <int D>
+void ConservingShift<D>::apply(Particles<D>& particles, Neighbours<D> const& neighbours, Boundary<D> const& boundary) {
+    keep_size_and_content(particles, boundary);
     auto const view = particles.view();
     std::size_t const n = shift_.size();
-    double const* const m = view.template at<Mass>();
-    double const mass = sum_over(n, 0.0, [&](std::size_t i) { return m[i]; });
-    auto const mean = (1 / mass) * sum_over(n, Vector<double, D>{}, [&](std::size_t i) {
-                          return m[i] * view.template get<Velocity>(i);
-                      });
-    auto const velocity = [&](std::size_t i) { return view.template get<Velocity>(i) - mean; };
-    double const fastest = std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(velocity(i)); }));
-    double const k = std::min(fastest * step / spacing_, 0.5);
-    if (k == 0) return;
-
-    // Columns: size and content of each piece, then the components of the angular momentum. Only those of the same piece
-    // and the angular momentum are not orthogonal.
-    auto const pieces = static_cast<Eigen::Index>(boundary.pieces), size = 2 * pieces + axes;
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
-    Eigen::VectorXd along(size);
-    auto const set = [&](Eigen::Index a, Eigen::Index b, double value) { gram(a, b) = gram(b, a) = value; };
-    auto const per_piece = [&](auto const& part, auto const& store) {
-        auto const sums = boundary.sums(part);
-        for (Eigen::Index p = 0; p < pieces; ++p) store(p, sums[static_cast<std::size_t>(p)]);
-    };
-    auto const &S = boundary.of_size, &G = boundary.of_content;
-    per_piece([&](std::size_t i) { return dot(S[i], S[i]) / m[i]; },
-              [&](Eigen::Index p, double s) { set(2 * p, 2 * p, s); });
-    per_piece([&](std::size_t i) { return dot(S[i], G[i]) / m[i]; },
-              [&](Eigen::Index p, double s) { set(2 * p, 2 * p + 1, s); });
-    per_piece([&](std::size_t i) { return dot(G[i], G[i]) / m[i]; },
-              [&](Eigen::Index p, double s) { set(2 * p + 1, 2 * p + 1, s); });
-    per_piece([&](std::size_t i) { return dot(S[i], shift_[i]); }, [&](Eigen::Index p, double s) { along(2 * p) = s; });
-    per_piece([&](std::size_t i) { return dot(G[i], shift_[i]); },
-              [&](Eigen::Index p, double s) { along(2 * p + 1) = s; });
-    for (int a = 0; a < axes; ++a) {
-        auto const row = 2 * pieces + a;
-        per_piece([&](std::size_t i) { return moment(S[i], velocity(i), a); },
-                  [&](Eigen::Index p, double s) { set(row, 2 * p, s); });
-        per_piece([&](std::size_t i) { return moment(G[i], velocity(i), a); },
-                  [&](Eigen::Index p, double s) { set(row, 2 * p + 1, s); });
-        for (int b = 0; b <= a; ++b)
-            set(row, 2 * pieces + b, sum_over(n, 0.0, [&](std::size_t i) {
-                    return m[i] * dot(turned(velocity(i), a), turned(velocity(i), b));
-                }));
-        along(row) = sum_over(n, 0.0, [&](std::size_t i) { return m[i] * moment(shift_[i], velocity(i), a); });
-    }
-    // In units in which the columns have length one. On a circle size and content change alike: columns that hardly
-    // differ count once.
-    Eigen::VectorXd scale = gram.diagonal().cwiseMax(0).cwiseSqrt();
-    scale = (scale.array() > 0).select(scale.cwiseInverse(), 0.0);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-9);
-    solver.compute(scale.asDiagonal() * gram * scale.asDiagonal());
-    Eigen::VectorXd const lambda = scale.asDiagonal() * solver.solve(scale.asDiagonal() * along);
-
+    Vector<double, D> const origin = view.template get<Position>(0);
+    auto const before = motions(particles, boundary, origin);
+    change_.resize(n);
     for_each(n, [&](std::size_t i) {
-        auto const p = 2 * static_cast<Eigen::Index>(boundary.piece_of(i));
-        auto d = shift_[i] + (-1 / m[i]) * (lambda(p) * S[i] + lambda(p + 1) * G[i]);
-        for (int a = 0; a < axes; ++a) d += -lambda(2 * pieces + a) * turned(velocity(i), a);
-        view.template set<Position>(i, view.template get<Position>(i) + k * d);
+        change_[i] = norm2(shift_[i]) > 0 ? share * (gradient(view, neighbours, i) * shift_[i]) : Vector<double, D>{};
+    });
+    for_each(n, [&](std::size_t i) {
+        view.template set<Position>(i, view.template get<Position>(i) + share * shift_[i]);
+        view.template set<Velocity>(i, view.template get<Velocity>(i) + change_[i]);
+    });
+
+    // A rigid motion of each piece gives back the momentum and the moment that it had.
+    auto const after = motions(particles, boundary, origin);
+    constexpr int axes = Motion<D>::axes;
+    std::vector<Vector<double, D>> centre(after.size()), drift(after.size());
+    std::vector<Eigen::Matrix<double, axes, 1>> spin(after.size());
+    for (std::size_t k = 0; k < after.size(); ++k) {
+        auto const& now = after[k];
+        centre[k] = (1 / now.mass) * now.centre;
+        drift[k] = (1 / now.mass) * (before[k].momentum - now.momentum);
+        Motion<D> whole;
+        whole.add(now.mass, centre[k], drift[k]);
+        Eigen::Matrix<double, axes, axes> const inertia = now.inertia - whole.inertia;
+        spin[k] = inertia.completeOrthogonalDecomposition().solve(before[k].moment - now.moment - whole.moment);
+    }
+    for_each(n, [&](std::size_t i) {
+        std::size_t const k = boundary.piece_of(i);
+        auto v = view.template get<Velocity>(i) + drift[k];
+        auto const x = view.template get<Position>(i) - origin - centre[k];
+        for (int a = 0; a < axes; ++a) v += spin[k](a) * rotation(x, a);
+        view.template set<Velocity>(i, v);
     });
 }
 

@@ -3,19 +3,16 @@
 
 // Keeps particles evenly spaced: after each step those nearer than a range a are moved apart by a share of what they
 // lack,
-//     d_i = k sum_j m_j/(m_i + m_j) (a - r_ij)_+ x_ij/r_ij,
-// and of all displacements that is taken which comes nearest to d in the norm of the masses and leaves, to first order
-// in d, the size and the content of the boundary of each piece of liquid (surface/boundary.hpp) and, exactly, the angular
-// momentum as they were,
-//     d <- d - M^-1 C (C^T M^-1 C)^+ C^T d,
-// the columns of C being the derivatives of these. Pairs move about their centre of mass, and the columns sum to zero:
-// the centre of mass stays. So, other than shifting along a gradient of concentration, it needs no special treatment of
-// the surface, and takes nothing from any conserved quantity. Velocities stay with their particles.
+//     d_i = sum_j m_j/(m_i + m_j) (a - r_ij)_+ x_ij/r_ij,
+// and of all displacements that is taken which comes nearest to d in the norm of the masses and leaves, to first order,
+// the size S and the content C of the boundary of each piece of liquid (surface/boundary.hpp) as they were:
+//     d <- d - M^-1 (s grad S + c grad C).
+// Pairs move about their centre of mass, and the gradients sum to zero, so the centre of mass stays. Other than shifting
+// along a gradient of concentration it needs no special treatment of the surface, and it takes no surface energy.
 //
-// k is how far the fastest particle moves in the step, in spacings (as in Xu, Stansby and Laurence, J. Comput. Phys. 228
-// (2009) 6703), at most a half: at rest nothing is shifted.
+// Velocities follow the flow to where particles are put, v <- v + grad v d, or else they would diffuse; then a rigid
+// motion of each piece, of the order of the error of grad v, gives back its momentum and angular momentum to round-off.
 
-#include <span>
 #include <vector>
 
 #include "coronet/neighbours/neighbours.hpp"
@@ -26,17 +23,21 @@ namespace coronet {
 template <int D>
 class ConservingShift {
 public:
-    /// range and spacing in m.
-    ConservingShift(double range, double spacing) : range_(range), spacing_(spacing) {}
+    explicit ConservingShift(double range) : range_(range) {}  ///< a [m]
 
-    /// Finds d without k for the positions as they are; the lists must be those of now.
+    /// Finds d for the positions as they are; the lists must be those of now.
     void find(Particles<D> const& particles, Neighbours<D> const& neighbours);
-    /// Moves the particles. boundary is that of where they were found; step in s.
-    void apply(Particles<D>& particles, Boundary<D> const& boundary, double step);
+    /// Moves the particles. boundary is that of where d was found.
+    void apply(Particles<D>& particles, Neighbours<D> const& neighbours, Boundary<D> const& boundary);
+
+    static constexpr double share = 0.5;  ///< of d, a step
 
 private:
-    double range_, spacing_;
-    std::vector<Vector<double, D>> shift_;
+    void keep_size_and_content(Particles<D> const& particles, Boundary<D> const& boundary);
+    static Matrix<double, D> gradient(View<D> const& view, Neighbours<D> const& neighbours, std::size_t i);
+
+    double range_;
+    std::vector<Vector<double, D>> shift_, change_;
 };
 
 }  // namespace coronet

@@ -77,6 +77,12 @@ void ConsistentPressure<D>::source(double step, std::span<double> b) {
     for_each(n, [&](std::size_t i) { b[i] = -divergence(i) / step; });
 }
 
+template <int D>
+void ConsistentPressure<D>::divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) {
+    for_each(to.size(), [&](std::size_t i) { set_velocity(i, v[i]); });
+    for_each(to.size(), [&](std::size_t i) { to[i] = divergence(i); });
+}
+
 /// B^T p and what C adds share a pass: both want the pressures of the neighbours.
 template <int D>
 void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {

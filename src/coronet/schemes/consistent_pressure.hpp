@@ -35,7 +35,7 @@ public:
 
     void set_up(Particles<D>& particles, Neighbours<D> const& neighbours) override;
     void source(double step, std::span<double> b) override;
-    void divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) override { divergence(1, v, to); }
+    void divergence(std::vector<Vector<double, D>> const& v, std::span<double> to) override;
     void apply(std::span<double const> p, std::span<double> Ap) override;
     std::span<double const> diagonal() override;
     SmoothEnergy smooth_energy() override;

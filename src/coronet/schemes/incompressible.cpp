@@ -72,7 +72,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
     if (is_viscous && !implicit)
         particles_.allocate(Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
-    if (settings_.shift_range > 0) shift_.emplace(settings_.shift_range, settings_.surface.spacing);
+    if (settings_.shift_range > 0) shift_.emplace(settings_.shift_range);
     auto const view = particles_.view();
     for_each(particles_.size(), [&](std::size_t i) {
         view.template at<Density>()[i] = settings_.density;
@@ -153,7 +153,7 @@ void Incompressible<D>::advance(double time, double step) {
             view.template set<Acceleration>(i, (1 / step) * (v - v0));
         });
     });
-    if (shift_) phases_.act("shift", [&] { shift_->apply(particles_, boundary_, step); });
+    if (shift_) phases_.act("shift", [&] { shift_->apply(particles_, neighbours_, boundary_); });
     ++counters_.evaluations;
 }
 

@@ -33,7 +33,7 @@ public:
     void apply(std::span<double const> p, std::span<double> Ap) override;
     std::size_t singular_matrices() const override { return inner_->singular_matrices(); }
     std::span<double const> diagonal() override { return inner_->diagonal(); }
-    SmoothEnergy<D> smooth_energy() override { return inner_->smooth_energy(); }
+    SmoothEnergy smooth_energy() override { return inner_->smooth_energy(); }
     void accelerate(std::span<double const> p) override;
 
 private:

@@ -10,11 +10,10 @@
 
 #include "coronet/pairs/law.hpp"
 #include "coronet/terms/artificial_viscosity.hpp"
-#include "coronet/terms/core_repulsion.hpp"
 
 namespace coronet {
 
-using PairTerms = Sum<ArtificialViscosity, CoreRepulsion>;
+using PairTerms = Sum<ArtificialViscosity>;
 
 /// Whether any of the case's pair terms does something: a term may say active() = false, without coefficients set.
 template <class... Terms>
