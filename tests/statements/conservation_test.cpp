@@ -104,6 +104,35 @@ TEST(Energy, ViscosityTakesItAway) {
     }
 }
 
+/// The corrected pressure force beside the viscous force of Morris is that of the stress, in another form; the viscous
+/// force keeps momentum, and not its moment.
+TEST(MorrisViscosity, WithCorrectedGradientsKeepsMomentumAndLeavesThePressureForceAsItIs) {
+    auto const accelerations = [](std::string const& force, double viscosity) {
+        auto const scheme = make_scheme<3>([&] {
+            Case c = liquid_case<3>({.viscosity = viscosity});
+            c.method.viscous_force = force;
+            return c;
+        }());
+        scheme->begin_step(0);
+        std::vector<Vector<double, 3>> all(scheme->particles().owned());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[static_cast<std::size_t>(scheme->particles().id[i])] =
+                scheme->particles().view().get<Mass>(i) * scheme->particles().view().get<Acceleration>(i);
+        return all;
+    };
+    auto const stress = accelerations("stress", 0), morris = accelerations("morris", 0),
+               viscous = accelerations("morris", 1);
+    Vector<double, 3> sum{};
+    double worst = 0, size = 0;
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+        worst = std::max(worst, std::sqrt(norm2(stress[i] - morris[i])));
+        sum += viscous[i];
+        size += std::sqrt(norm2(viscous[i]));
+    }
+    EXPECT_LT(worst, 100 * eps * size / static_cast<double>(stress.size()));
+    EXPECT_LT(std::sqrt(norm2(sum)), 100 * eps * size);
+}
+
 TEST(Viscosity, DoesNotFeelRigidRotationWithTheExactGradient) {
     auto const largest_difference = [](std::string const& gradient) {
         LiquidOptions const turning{.gradient = gradient, .viscosity = 0, .step = 1e-7, .velocity_2d = "'-3*y', '3*x'"};

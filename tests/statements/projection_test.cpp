@@ -138,6 +138,13 @@ TEST(ProjectionScheme, ShowsTheStressThatActedInItsLastStep) {
     }
 }
 
+TEST(ProjectionScheme, KeepsParticlesApartWhereTheyAreShifted) {
+    auto const least = [](std::string const& shifting) {
+        return after_steps(flow("shifting = '" + shifting + "'", 0.05), 40, 4e-3)->arrangement().smallest_distance;
+    };
+    EXPECT_GT(least("xu"), 1.1 * least("none"));
+}
+
 /// A drop of unit radius in the flow (-x, y), Fang et al. (2009) section 4.1, by projection: its axes follow theory.
 TEST(ProjectionScheme, StretchesADropAsTheoryHasIt) {
     Case c = read_case(

@@ -79,7 +79,8 @@ struct Case {
         std::string viscous_step = "explicit", pressure_operator = "consistent", pressure_kernel,
                     preconditioner = "multigrid";
         std::string shifting = "none";
-        double shift_range = 1, pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
+        double shift_range = 1, shifting_coefficient = 0;
+        double pressure_support = 0, compact_share = 0.05, tolerance = 1e-3;
         int most_iterations = 1000;
         bool lattice_diagonal = false;
     } method;

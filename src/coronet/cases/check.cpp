@@ -210,9 +210,9 @@ void check_rheology(Case const& c, Errors& errors) {
 
 template <int D>
 void check(Case const& c, Errors& errors) {
-    if (c.method.viscous_force == "morris" && c.method.gradient != "sph")
-        say(errors, "method.viscous_force = 'morris' goes with method.gradient = 'sph' only, not '{}': use 'stress'",
-            c.method.gradient);
+    if (c.method.viscous_force == "morris" && c.method.gradient == "cph")
+        say(errors,
+            "method.viscous_force = 'morris' goes with method.gradient = 'sph' or 'fpm', not 'cph': use 'stress'");
     if (c.method.viscous_force == "morris" && c.fluid.rheology != "newtonian")
         say(errors,
             "method.viscous_force = 'morris' goes with fluid.rheology = 'newtonian' only, not '{}': use 'stress'",
@@ -231,6 +231,7 @@ void check(Case const& c, Errors& errors) {
     projects_with("method.gradient", c.method.gradient, "fpm");
     projects_with("method.precision", c.method.precision, "double");
     projects_with("method.viscous_force", c.method.viscous_force, "stress");
+    projects_with("time.stepping", c.time.stepping, "predictor-corrector");
     projects_with("time.position_update", c.time.position_update, "mean-velocity");
     projects_with("initial.pressure", c.initial.pressure, "0");
     bool const thesis = c.method.scheme == "projection" && c.method.pressure_operator == "thesis";
@@ -238,9 +239,22 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "surface.pressure = 'free' leaves the pressure of the thesis's matrix open by a constant, and it has no "
             "solution: use 'mirrored' or 'zero', or method.lattice_diagonal = true");
-    if (c.fluid.surface_tension > 0 && c.surface.tension_force == "boundary" && D == 3)
+    bool const on_boundary = c.fluid.surface_tension > 0 && c.surface.tension_force == "boundary";
+    if (c.method.shifting == "conserving" && (!on_boundary || c.method.scheme != "projection"))
+        say(errors,
+            "method.shifting = 'conserving' keeps what a tension on the boundary acts on: it needs "
+            "method.scheme = 'projection', fluid.surface_tension and surface.tension_force = 'boundary'");
+    if (on_boundary && c.time.stepping == "symplectic-euler")
+        say(errors, "surface.tension_force = 'boundary' needs time.stepping = 'predictor-corrector'");
+    if (on_boundary && D == 3)
         say(errors, "surface.tension_force = 'boundary' is for dimension = 2 only: use 'curvature' in 3D");
-    if (c.fluid.surface_tension > 0 || (thesis && c.surface.pressure != "free")) {
+    if (c.time.stepping == "symplectic-euler" && c.time.position_update != "mean-velocity")
+        say(errors,
+            "time.position_update = '{}' is of time.stepping = 'predictor-corrector'; 'symplectic-euler' moves "
+            "particles "
+            "by their new velocity: leave it away",
+            c.time.position_update);
+    if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (thesis && c.surface.pressure != "free")) {
         if (2 * c.surface.coverage_radius > c.method.support)
             say(errors,
                 "surface.coverage_radius = {} is above half of method.support = {}: neighbours are not known that far",

@@ -124,6 +124,31 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
                      probe.mode);
 }
 
+void describe_shifting(Keys& keys, Case& c) {
+    auto& m = c.method;
+    keys.choice(
+        {.path = "method.shifting",
+         .meaning = "keeps particles evenly spread: xu (spreads a free surface), jahanbakhsh (pushes apart what "
+                    "is nearer than a spacing), sun (moves nothing out of a free surface, so it keeps volume), "
+                    "conserving (with a tension on the boundary by projection: keeps momentum, its moment, and what "
+                    "the surface holds)"},
+        m.shifting, {"none", "xu", "jahanbakhsh", "sun", "conserving"});
+    keys.number({.path = "method.shift_range",
+                 .unit = "spacings",
+                 .meaning = "of conserving: what is nearer is moved apart",
+                 .at_least = 0.1,
+                 .at_most = 1.5},
+                m.shift_range);
+    if (m.shifting_coefficient == 0 && !keys.everything()) m.shifting_coefficient = m.shifting == "sun" ? 1 : 0.1;
+    keys.number({.path = "method.shifting_coefficient",
+                 .unit = "-",
+                 .meaning = "K of the shift, K times its vector times the way of the fastest particle in a step; by "
+                            "default 1 for sun and 0.1 for the others",
+                 .above = 0,
+                 .at_most = 10},
+                m.shifting_coefficient);
+}
+
 /// Shown for every scheme, so that a case can change its scheme by one key.
 void describe_projection(Keys& keys, Case& c) {
     auto& m = c.method;
@@ -259,8 +284,9 @@ void describe(Keys& keys, Case& c) {
                 m.gradient, {"sph", "cph", "fpm"});
     keys.choice(
         {.path = "method.viscous_force",
-         .meaning = "stress: from the velocity gradient; morris: between velocities, with gradient sph only, in "
-                    "one sweep"},
+         .meaning =
+             "stress: from the velocity gradient; morris: between velocities, with gradient sph, in one sweep, or "
+             "fpm"},
         m.viscous_force, {"stress", "morris"});
     auto const names = kernel_names();
     keys.choice({.path = "method.kernel", .meaning = "smoothing kernel"}, m.kernel, {names.begin(), names.end()});
@@ -283,16 +309,7 @@ void describe(Keys& keys, Case& c) {
                     "everything that is kept in double"},
         m.precision, {"double", "mixed"});
     describe_terms(keys, m.pair_terms);
-    keys.choice({.path = "method.shifting",
-                 .meaning = "conserving: particles that are too near are moved apart so that content and length of the "
-                            "surface, centre of mass and angular momentum stay"},
-                m.shifting, {"none", "conserving"});
-    keys.number({.path = "method.shift_range",
-                 .unit = "spacings",
-                 .meaning = "of conserving shifting: nearer than that is too near",
-                 .at_least = 0.1,
-                 .at_most = 1.5},
-                m.shift_range);
+    describe_shifting(keys, c);
     describe_projection(keys, c);
     describe_fluid(keys, c);
     describe_surface(keys, c);
@@ -310,7 +327,11 @@ void describe(Keys& keys, Case& c) {
          .above = 0,
          .at_most = 1},
         c.time.courant);
-    keys.choice({.path = "time.stepping", .meaning = "how time is stepped"}, c.time.stepping, {"predictor-corrector"});
+    keys.choice(
+        {.path = "time.stepping",
+         .meaning = "predictor-corrector: two evaluations a step; symplectic-euler: one, density, then velocity, "
+                    "then position, each with the new values of those before"},
+        c.time.stepping, {"predictor-corrector", "symplectic-euler"});
     keys.choice(
         {.path = "time.position_update",
          .meaning = "mean-velocity keeps angular momentum to round-off; midpoint-velocity is Fang's printed form"},

@@ -84,6 +84,15 @@ SurfaceSettings surface_settings(Case const& c) {
         .remove_mean_force = c.surface.remove_mean_force};
 }
 
+ShiftingSettings shifting(Case const& c) {
+    auto const& name = c.method.shifting;
+    return {name == "xu"            ? ShiftVector::xu
+            : name == "jahanbakhsh" ? ShiftVector::jahanbakhsh
+            : name == "sun"         ? ShiftVector::sun
+                                    : ShiftVector::none,
+            c.method.shifting_coefficient, c.particles.spacing, surface_settings(c)};
+}
+
 template <int D>
 Vector<double, D> gravity(Case const& c) {
     Vector<double, D> g;
@@ -102,6 +111,8 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
                  : c.method.gradient == "cph" ? Gradient::cph
                                               : Gradient::fpm;
     s.viscous_force = c.method.viscous_force == "morris" ? ViscousForce::morris : ViscousForce::stress;
+    s.stepping = c.time.stepping == "symplectic-euler" ? Stepping::symplectic_euler : Stepping::predictor_corrector;
+    s.shifting = shifting(c);
     s.position_update =
         c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity : PositionUpdate::midpoint_velocity;
     s.courant = c.time.courant;
@@ -137,6 +148,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.preconditioning = c.method.preconditioner == "jacobi" ? Preconditioning::jacobi : Preconditioning::multigrid;
     s.solve = {c.method.tolerance, c.method.most_iterations};
     s.surface = surface_settings(c);
+    s.shifting = shifting(c);
     s.shift_range = c.method.shifting == "conserving" ? c.method.shift_range * dx : 0;
     s.courant = c.time.courant;
     s.gravity = gravity<D>(c);

@@ -36,6 +36,8 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(CorrectedStress, VT, matrix, "Pa m^3", "volume times stress times the gradient correction, V sigma L") \
     X(StressOffset, Vs, vector, "Pa m^2", "volume times stress times the value correction, V sigma q")       \
     X(OwnAcceleration, own_dv, vector, "m/s^2", "the part of a particle's own stress in its acceleration")   \
+    X(SlopeCorrection, L, matrix, "-", "of the corrected gradient L grad W - q W")                           \
+    X(ValueCorrection, q, vector, "1/m", "of the corrected gradient L grad W - q W")                         \
     X(FellBack, fell_back, scalar, "-", "1 where a singular matrix left the plain gradient, else 0")         \
     X(PositionBefore, x0, vector, "m", "position at the start of the step")                                  \
     X(VelocityBefore, v0, vector, "m/s", "velocity at the start of the step")                                \
@@ -49,7 +51,13 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                 \
     X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
     X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \
-    X(SampleSlope, f_slope, vector, "1/m", "sum V (f_j - f_i) grad W: the plain SPH gradient")
+    X(SampleSlope, f_slope, vector, "1/m", "sum V (f_j - f_i) grad W: the plain SPH gradient")               \
+    X(DensitySlope, rho_slope, vector, "kg/m^4", "sum V (rho_j - rho_i) grad W: the plain SPH gradient")     \
+    X(NearestNormal, n_near, vector, "-", "normal of the nearest surface particle in the support, else 0")   \
+    X(Repulsion, repulsion, vector, "1/m^2", "sum n_ij/r^2 over neighbours that push a particle away")       \
+    X(NeighbourCount, count, scalar, "-", "how many neighbours are in the support")                          \
+    X(DistanceSum, distances, scalar, "m", "sum of their distances")                                         \
+    X(Crowding, crowding, vector, "1/m", "weighted sum V grad W: up the slope of concentration")
 
 template <Rank rank, class R, int D>
 struct RankType;

@@ -79,6 +79,18 @@ template <int D>
 void ConservingShift<D>::keep_size_and_content(Particles<D> const& particles, Boundary<D> const& boundary) {
     double const* const m = particles.view().template at<Mass>();
     auto const &S = boundary.of_size, &G = boundary.of_content;
+    // Particles of the surface only move along it, since a rough surface costs the flow what smoothing it takes; then
+    // nothing moves on average.
+    auto const mass = boundary.sums([&](std::size_t i) { return m[i]; });
+    for_each(shift_.size(), [&](std::size_t i) {
+        if (norm2(G[i]) > 0) shift_[i] += (-dot(G[i], shift_[i]) / norm2(G[i])) * G[i];
+    });
+    std::vector<Vector<double, D>> mean(boundary.pieces);
+    for (int a = 0; a < D; ++a) {
+        auto const sums = boundary.sums([&](std::size_t i) { return m[i] * shift_[i][a]; });
+        for (std::size_t k = 0; k < mean.size(); ++k) mean[k][a] = sums[k] / mass[k];
+    }
+    for_each(shift_.size(), [&](std::size_t i) { shift_[i] += -1.0 * mean[boundary.piece_of(i)]; });
     auto const SS = boundary.sums([&](std::size_t i) { return norm2(S[i]) / m[i]; });
     auto const SG = boundary.sums([&](std::size_t i) { return dot(S[i], G[i]) / m[i]; });
     auto const GG = boundary.sums([&](std::size_t i) { return norm2(G[i]) / m[i]; });

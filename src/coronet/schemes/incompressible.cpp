@@ -44,6 +44,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
       particles_(std::move(particles)),
       neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
                   settings.skin > 0 ? 0 : listing_cost),
+      shifting_(settings.shifting, settings.kernel, Precision::full),
       projection_(
           [&]() -> std::unique_ptr<PressureOperator<D>> {
               std::unique_ptr<PressureOperator<D>> pressure;
@@ -155,6 +156,9 @@ void Incompressible<D>::advance(double time, double step) {
     });
     if (shift_) phases_.act("shift", [&] { shift_->apply(particles_, neighbours_, boundary_); });
     ++counters_.evaluations;
+    if (!shifting_.active()) return;
+    phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
+    phases_.act("shift", [&] { shifting_.advance(particles_, neighbours_, step); });
 }
 
 template <int D>

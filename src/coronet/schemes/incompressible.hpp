@@ -30,6 +30,7 @@
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/projection.hpp"
 #include "coronet/schemes/scheme.hpp"
+#include "coronet/schemes/shifting.hpp"
 #include "coronet/schemes/thesis_pressure.hpp"
 #include "coronet/schemes/viscous_step.hpp"
 #include "coronet/surface/tension.hpp"
@@ -56,6 +57,7 @@ public:
         Preconditioning preconditioning = Preconditioning::multigrid;
         SolveLimits solve;  ///< of pressure and implicit viscous step
         SurfaceSettings surface;
+        ShiftingSettings shifting;
         double shift_range = 0;          ///< [m], of schemes/conserving_shift.hpp; 0: no shifting
         double courant = 0.25;           ///< safe factor on h/speed
         Vector<double, D> gravity = {};  ///< [m/s^2]
@@ -91,6 +93,7 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
+    Shifting<D> shifting_;
     Boundary<D> boundary_;                     ///< if tension acts on it
     ThesisPressure<D>* thesis_ = nullptr;      ///< the projection's, if it is that one
     MeanOnBoundary<D>* on_boundary_ = nullptr;  ///< around it, if there is one

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The closed list of laws that the weakly compressible scheme sweeps: what a case chooses picks one of them, once per
+// The closed list of laws that the schemes sweep: what a case chooses picks one of them, once per
 // sweep. Each costs a pair loop per dimension to compile; a test holds their number to a budget.
 
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/terms/continuity.hpp"
+#include "coronet/terms/corrected_pressure_gradient.hpp"
+#include "coronet/terms/density_slopes.hpp"
 #include "coronet/terms/moments.hpp"
 #include "coronet/terms/morris_viscosity.hpp"
 #include "coronet/terms/pressure_gradient.hpp"
@@ -25,5 +27,12 @@ using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, PairTerms>;
 // Plain gradients and a viscosity that needs no velocity gradient: everything in one sweep.
 using PlainSweep = Sum<PressureGradient, MorrisViscosity, Continuity>;
 using PlainSweepAndPairTerms = Sum<PressureGradient, MorrisViscosity, Continuity, PairTerms>;
+
+// Corrected gradients and a viscosity between velocities; pair terms may be idle.
+using CorrectedPressureAndMorris = Sum<CorrectedPressureGradient, CorrectedMorrisViscosity, PairTerms>;
+
+// Of the shifting: a shifting vector, and the gradients of what goes with the flow.
+template <class Shift>
+using ShiftAndGradients = Sum<SlopeMoments, VelocitySlopes, DensitySlopes, Shift>;
 
 }  // namespace coronet

@@ -13,20 +13,35 @@ namespace coronet {
 
 /// sigma [Pa]; where viscosity differs from particle to particle, it is kept.
 template <class At, class R, int D>
-CORONET_HD Symmetric<R, D> stress(At const& at, GeneralisedNewtonian const& liquid, R const& p, Matrix<R, D> const& grad_v) {
+CORONET_HD Symmetric<R, D> stress(At const& at, GeneralisedNewtonian const& liquid, R const& p,
+                                  Matrix<R, D> const& grad_v) {
     R const mu = liquid.viscosity(grad_v);
     if (!liquid.is_newtonian()) at.template set<Viscosity>(mu);
     return Newtonian<R>{mu}.stress(p, grad_v);
 }
 
+/// The pressure that pushes over a step: with symplectic steps that at its end, after the rate of density that has just
+/// been found, p + dt c^2 drho/dt; else, with dt = 0, p as it is.
+template <class At, class R>
+CORONET_HD R pressure_after(double dt, At const& at, R const& density_rate) {
+    R p = at.template get<Pressure>();
+    if (dt == 0) return p;
+    R const c = at.template get<SoundSpeed>();
+    p += R(dt) * c * c * density_rate;
+    at.template set<Pressure>(p);
+    return p;
+}
+
 /// sph: the plain gradient; the force sweep reads Stress.
 struct PlainClose {
     GeneralisedNewtonian liquid;
+    double dt = 0;  ///< [s], of pressure_after()
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
-        at.template set<DensityRate>(-at.template get<Density>() * trace(sums.v_slope));
-        at.template set<Stress>(stress(at, liquid, at.template get<Pressure>(), sums.v_slope));
+        auto const rate = -at.template get<Density>() * trace(sums.v_slope);
+        at.template set<DensityRate>(rate);
+        at.template set<Stress>(stress(at, liquid, pressure_after(dt, at, rate), sums.v_slope));
     }
 };
 
@@ -49,6 +64,7 @@ struct CorrectedClose {
     GeneralisedNewtonian liquid;
     double kernel_at_zero;
     bool with_pressure = true;
+    double dt = 0;  ///< [s], of pressure_after()
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
@@ -57,13 +73,33 @@ struct CorrectedClose {
         GradientCorrection<R, D> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
                                                   sums.G0, sums.G1);
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
-        auto const sigma = stress(at, liquid, with_pressure ? at.template get<Pressure>() : R(0), grad_v);
-        at.template set<DensityRate>(-at.template get<Density>() * trace(grad_v));
+        R const rate = -at.template get<Density>() * trace(grad_v);
+        at.template set<DensityRate>(rate);
+        auto const sigma = stress(at, liquid, with_pressure ? pressure_after(dt, at, rate) : R(0), grad_v);
         at.template set<Stress>(sigma);
         auto const T = product<R, D>(sigma, correction.L);
         auto const s = sigma * correction.q;
         set_corrected_stress(at, T, s);
         set_own_acceleration(at, T, s, sums);
+        at.template set<FellBack>(correction.fell_back);
+    }
+};
+
+/// fpm with the viscous force of Morris: the force sweep reads pressures and the correction itself.
+struct CorrectionClose {
+    double kernel_at_zero;
+    double dt = 0;  ///< [s], of pressure_after()
+
+    template <class At, class Sums>
+    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+        using R = typename At::Number;
+        GradientCorrection<R, At::dimension> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(),
+                                                              sums.W1, sums.G0, sums.G1);
+        R const rate = -at.template get<Density>() * trace(correction.gradient(sums.v_slope, sums.v_jump));
+        at.template set<DensityRate>(rate);
+        pressure_after(dt, at, rate);
+        at.template set<SlopeCorrection>(correction.L);
+        at.template set<ValueCorrection>(correction.q);
         at.template set<FellBack>(correction.fell_back);
     }
 };

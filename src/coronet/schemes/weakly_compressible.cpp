@@ -25,15 +25,24 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     : settings_(settings),
       particles_(std::move(particles)),
       neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
-                  settings.skin > 0 ? 0 : listing_cost) {
+                  settings.skin > 0 ? 0 : listing_cost),
+      shifting_(settings.shifting, settings.kernel, settings.precision) {
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
-    if (!one_sweep()) particles_.allocate(Fields<Stress>{});
+    bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;
+    if (!corrected_morris() && (!one_sweep() || is_symplectic)) particles_.allocate(Fields<Stress>{});
     if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
-    if (settings_.gradient != Gradient::sph)
+    if (corrected_morris()) particles_.allocate(Fields<SlopeCorrection, ValueCorrection, FellBack>{});
+    else if (settings_.gradient != Gradient::sph)
         particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
     update_state();
+    auto const view = particles_.view();
+    for_each(particles_.size(), [&](std::size_t i) {  // what the first symplectic step is bounded by
+        view.template set<Acceleration>(i, settings_.gravity);
+        if (!settings_.liquid.is_newtonian())
+            view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
+    });
 }
 
 template <int D>
@@ -44,12 +53,36 @@ void WeaklyCompressible<D>::sweep_parts(Parts const&... parts) {
 
 template <int D>
 void WeaklyCompressible<D>::begin_step(double time) {
-    evaluate(time);
+    if (settings_.stepping == Stepping::symplectic_euler) phases_.act("neighbours", [&] { update_neighbours(); });
+    else evaluate(time);
     phases_.act("check", [&] { check_state(particles_); });
 }
 
 template <int D>
 void WeaklyCompressible<D>::advance(double time, double step) {
+    if (settings_.stepping == Stepping::symplectic_euler) symplectic_step(time, step);
+    else predict_and_correct(time, step);
+    if (!shifting_.active()) return;
+    phases_.act("neighbours", [&] { update_neighbours(); });
+    phases_.act("shift", [&] { shifting_.advance(particles_, neighbours_, step); });
+}
+
+template <int D>
+void WeaklyCompressible<D>::symplectic_step(double time, double step) {
+    evaluate(time, step);
+    auto const view = particles_.view();
+    phases_.act("move", [&] {
+        for_each(particles_.owned(), [&](std::size_t i) {
+            auto const v = view.template get<Velocity>(i) + step * view.template get<Acceleration>(i);
+            view.template set<Velocity>(i, v);
+            view.template set<Position>(i, view.template get<Position>(i) + step * v);
+            view.template at<Density>()[i] += step * view.template at<DensityRate>()[i];
+        });
+    });
+}
+
+template <int D>
+void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
     auto const view = particles_.view();
     phases_.act("predict", [&] {
         for_each(particles_.owned(), [&](std::size_t i) {
@@ -80,17 +113,15 @@ void WeaklyCompressible<D>::advance(double time, double step) {
 }
 
 template <int D>
-void WeaklyCompressible<D>::evaluate(double time) {
+void WeaklyCompressible<D>::evaluate(double time, double dt) {
     phases_.act("neighbours", [&] { update_neighbours(); });
     phases_.act("state", [&] { update_state(); });
     bool const on_boundary = settings_.surface.acts_on_boundary();
     if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
-    if (one_sweep()) {
-        phases_.act("rates", [&] { rates_in_one_sweep(); });
-    } else {
-        phases_.act("gradients", [&] { gradients_and_stress(); });
-        phases_.act("forces", [&] { forces(); });
-    }
+    // What pressure the density will have must be known before the forces: then one sweep is not enough.
+    if (!one_sweep() || dt > 0) phases_.act("gradients", [&] { gradients_and_stress(dt); });
+    if (one_sweep()) phases_.act("rates", [&] { rates_in_one_sweep(); });
+    else phases_.act("forces", [&] { forces(); });
     if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
     else if (settings_.surface.tension > 0)
         phases_.act("surface", [&] {
@@ -206,13 +237,18 @@ void WeaklyCompressible<D>::act_on_boundary() {
 }
 
 template <int D>
-void WeaklyCompressible<D>::gradients_and_stress() {
+void WeaklyCompressible<D>::gradients_and_stress(double dt) {
     auto const view = particles_.view();
-    CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero()};
-    PlainClose const plain{settings_.liquid};
+    CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt};
+    PlainClose const plain{settings_.liquid, dt};
     switch (settings_.gradient) {
         case Gradient::sph: sweep_parts(Part{neighbours_.all(), PlainGradients{}, plain}); return;
-        case Gradient::fpm: sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected}); break;
+        case Gradient::fpm:
+            if (corrected_morris())
+                sweep_parts(
+                    Part{neighbours_.all(), CorrectedGradients{}, CorrectionClose{corrected.kernel_at_zero, dt}});
+            else sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected});
+            break;
         case Gradient::cph:
             sweep_parts(Part{exterior_, CorrectedGradients{}, corrected},
                         Part{border_, PlainGradientsAndSums{}, NearClose<true>{plain}},
@@ -237,6 +273,11 @@ void WeaklyCompressible<D>::forces() {
         }
     };
     auto const& terms = settings_.pair_terms;
+    if (corrected_morris()) {
+        CorrectedMorrisViscosity const viscosity{settings_.liquid.rheology.viscosity};
+        sweep_parts(Part{neighbours_.all(), CorrectedPressureAndMorris{{}, viscosity, terms}, plain_close});
+        return;
+    }
     if (any_active(terms)) forces_of(PlainForcesAndPairTerms{{}, terms}, CorrectedForcesAndPairTerms{{}, terms});
     else forces_of(PlainForces{}, CorrectedForces{});
 }
@@ -246,6 +287,12 @@ template <int D>
 bool WeaklyCompressible<D>::one_sweep() const {
     return settings_.gradient == Gradient::sph &&
            (settings_.viscous_force == ViscousForce::morris || settings_.liquid.is_inviscid());
+}
+
+/// The conservative equations of Jahanbakhsh et al. (2012), 15, 18 and 19.
+template <int D>
+bool WeaklyCompressible<D>::corrected_morris() const {
+    return settings_.gradient == Gradient::fpm && settings_.viscous_force == ViscousForce::morris;
 }
 
 template <int D>

@@ -11,7 +11,8 @@
 //     drho/dt = -rho (div v - mean div v + (d content/dt)/sum V),   m dv/dt = ... (p - mean p) ... + (mean p) grad content,
 // dual to each other as (60) and (61) are.
 // In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
-// half.
+// half; or symplectic Euler, with one evaluation a step:
+//     rho_new = rho + dt drho/dt(x, v),   v_new = v + dt dv/dt(x, p(rho_new)),   x_new = x + dt v_new.
 
 #include <functional>
 
@@ -21,6 +22,7 @@
 #include "coronet/neighbours/neighbours.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
+#include "coronet/schemes/shifting.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -29,8 +31,10 @@ enum class Gradient { sph, cph, fpm };
 
 enum class ViscousForce {
     stress,  ///< the dual of the velocity gradient, Fang et al. (2009) Eq 61
-    morris   ///< Morris, Fox and Zhu (1997), with plain gradients only
+    morris   ///< Morris, Fox and Zhu (1997), between velocities: with sph and fpm
 };
+
+enum class Stepping { predictor_corrector, symplectic_euler };
 
 /// How the corrector moves the particles over a whole step.
 enum class PositionUpdate {
@@ -47,12 +51,14 @@ public:
         Precision precision = Precision::full;
         Gradient gradient = Gradient::fpm;
         ViscousForce viscous_force = ViscousForce::stress;
-        PositionUpdate position_update = PositionUpdate::mean_velocity;
-        double courant = 0.25;  ///< safe factor on h/c
+        Stepping stepping = Stepping::predictor_corrector;
+        PositionUpdate position_update = PositionUpdate::mean_velocity;  ///< of the predictor-corrector
+        double courant = 0.25;                                           ///< safe factor on h/c
         EquationOfState equation_of_state;
         GeneralisedNewtonian liquid;
         PairTerms pair_terms;
         SurfaceSettings surface;
+        ShiftingSettings shifting;
         Vector<double, D> gravity = {};  ///< [m/s^2]
         /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
         std::function<void(double, View<D> const&, std::size_t count)> body_force;
@@ -74,8 +80,9 @@ public:
     Counters const& counters() const override { return counters_; }
     Phases& phases() override { return phases_; }
 
-    /// The rates of change of velocity and density for the state as it is.
-    void evaluate(double time);
+    /// The rates of change of velocity and density for the state as it is; with dt > 0 under the pressure that density
+    /// has after so long a step [s].
+    void evaluate(double time, double dt = 0);
 
 private:
     template <class... Parts>
@@ -85,9 +92,12 @@ private:
     void update_state();
     void find_boundary_and_mean_pressure();
     void act_on_boundary();
-    void gradients_and_stress();
+    void predict_and_correct(double time, double step);
+    void symplectic_step(double time, double step);
+    void gradients_and_stress(double dt);
     void forces();
     bool one_sweep() const;
+    bool corrected_morris() const;
     void rates_in_one_sweep();
 
     Settings settings_;
@@ -95,6 +105,7 @@ private:
     Neighbours<D> neighbours_;
     Boundary<D> boundary_;            // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece
+    Shifting<D> shifting_;
     Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
     Counters counters_;
     Phases phases_;

@@ -24,15 +24,24 @@ struct KernelSums {
 struct KernelMoments {
     using reads = Fields<Volume>;
     using own = Fields<>;
-    using gives = Fields<KernelMoment, SlopeMoment>;
+    using gives = Fields<KernelMoment>;
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        auto const VgradW = (ij.j.V * ij.F) * ij.x;
-        return give<gives>(ij, -(ij.j.V * ij.W) * ij.x, -outer_of_parallels(VgradW, ij.x));
+        return give<gives>(ij, -(ij.j.V * ij.W) * ij.x);
+    }
+};
+struct SlopeMoments {
+    using reads = Fields<Volume>;
+    using own = Fields<>;
+    using gives = Fields<SlopeMoment>;
+
+    template <class P>
+    CORONET_HD auto operator()(P const& ij) const {
+        return give<gives>(ij, -outer_of_parallels((ij.j.V * ij.F) * ij.x, ij.x));
     }
 };
 
-using Moments = Sum<KernelSums, KernelMoments>;
+using Moments = Sum<KernelSums, KernelMoments, SlopeMoments>;
 
 }  // namespace coronet

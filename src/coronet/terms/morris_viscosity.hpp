@@ -5,6 +5,11 @@
 //     dv_i/dt = 1/rho_i sum_j V_j 2 eta (x_ij . grad W_ij)/(r^2 + 0.01 h^2) v_ij.
 // It needs no velocity gradient, so one sweep serves pressure, viscosity and continuity. Linear momentum is conserved
 // and energy only removed; angular momentum is not conserved, since the force is along v_ij and not along x_ij.
+//
+// With corrected kernels (Jahanbakhsh et al., 7th SPHERIC workshop, 2012, Eq 18) grad W_ij becomes
+//     (grad W~_ij - grad W~_ji)/2 = ((L_i + L_j) grad W_ij - (q_i - q_j) W_ij)/2.
+// In print there is a plus, for which the mean vanishes with plain kernels, and no division by r^2. Where the
+// correction is strong, the force of a pair may give energy, which it never does with plain kernels.
 
 #include "coronet/pairs/law.hpp"
 
@@ -22,6 +27,21 @@ struct MorrisViscosity {
         using R = typename P::Number;
         R const slope = (ij.j.V * ij.F) * (ij.r2 * ij.soft);  // V x . grad W/(r^2 + 0.01 h^2)
         return give<gives>(ij, (R(2 * eta) * (1.0 / ij.i.rho) * slope) * (ij.i.v - ij.j.v));
+    }
+};
+
+struct CorrectedMorrisViscosity {
+    double eta = 0;  ///< dynamic viscosity [Pa s]
+
+    using reads = Fields<Volume, Velocity, SlopeCorrection, ValueCorrection>;
+    using own = Fields<Density>;
+    using gives = Fields<Acceleration>;
+
+    template <class P>
+    CORONET_HD auto operator()(P const& ij) const {
+        using R = typename P::Number;
+        R const along = dot(ij.x, (ij.i.L + ij.j.L) * ij.gradW) - ij.W * dot(ij.x, ij.i.q - ij.j.q);  // twice x . grad
+        return give<gives>(ij, (R(eta) * (1.0 / ij.i.rho) * (ij.j.V * along * ij.soft)) * (ij.i.v - ij.j.v));
     }
 };
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Particle shifting, a stage after any scheme's step: particles leave the paths of the flow by a little, so that they
+// stay evenly spread, and take the values that the flow has where they come to (Jahanbakhsh et al. 2012, section VI,
+// steps 4-6):
+//     x += d,   v += d . grad v,   rho += d . grad rho,   d_i = K alpha R_i,   alpha = (largest speed) dt.
+// R is one of three shifting vectors (terms/distance_shift.hpp, concentration_shift.hpp). The speed is taken
+// from the mean velocity, so that the frame of the observer does not matter; at rest nothing is shifted. Gradients are
+// corrected by the inverse of the slope moments: linear fields are met exactly, on any arrangement. d is at most
+// alpha/2; a particle whose neighbours do not span the space has no gradient, and stays.
+//
+// With a vector that respects the surface (sun), a particle of the free surface is moved along it only, and one that
+// has such a particle in its support is not moved towards it: along the normal of the nearest surface particle. So the
+// surface stays where the flow took it, which is what keeps volume over long times. Marks and normals are renewed
+// whenever the neighbours are listed, and lag by less than the lists' skin.
+//
+// What it conserves: mass, and linear fields. Momentum changes by sum m d . grad v a step, energy accordingly: little
+// inside, where shifts have no common direction, and much where a surface spreads (docs/method.md).
+
+#include <cstddef>
+
+#include "coronet/kernels/kernel.hpp"
+#include "coronet/neighbours/neighbours.hpp"
+#include "coronet/surface/tension.hpp"
+
+namespace coronet {
+
+enum class ShiftVector { none, xu, jahanbakhsh, sun };
+
+struct ShiftingSettings {
+    ShiftVector vector = ShiftVector::none;
+    double coefficient = 0;  ///< K
+    double spacing = 0;      ///< of the particles at the start [m]
+    SurfaceSettings surface;
+};
+
+template <int D>
+class Shifting {
+public:
+    Shifting(ShiftingSettings const& settings, Kernel const& kernel, Precision precision)
+        : settings_(settings), kernel_(kernel), precision_(precision) {}
+
+    bool active() const { return settings_.vector != ShiftVector::none; }
+
+    /// After a step of that length [s], with neighbours up to date. Position, Velocity, Density and Volume must be set.
+    void advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step);
+
+private:
+    void look_at_surface(Particles<D>& particles, Neighbours<D> const& neighbours);
+
+    ShiftingSettings settings_;
+    Kernel kernel_;
+    Precision precision_;
+    std::size_t listing_seen_ = 0;  ///< that the marks of the surface are of
+};
+
+}  // namespace coronet
