@@ -126,7 +126,8 @@ def particles(runs):
 
 
 def patch(runs):
-    """A column per run with the instants of Fang et al. 2009, Figs. 6-8; one run has them side by side."""
+    """A column per run with the instants of Fang et al. 2009, Figs. 6-8, or of Jahanbakhsh et al. 2012, Figs. 3-5; one run
+    has them side by side."""
     rows = list(zip(*map(instants, runs)))
     frames = [frame for row in rows for frame in row]
     time = title_time(frames)
@@ -137,9 +138,10 @@ def patch(runs):
 
 
 def instants(run):
-    """The frames at 15 and 20 ms; of a shorter run the last two."""
+    """The frames at 15 and 20 ms, of the slower patch at 0.245 and 0.49 s; of a shorter run the last two."""
     times = numpy.array([time for time, _ in run.frames])
-    chosen = [abs(times - wanted).argmin() for wanted in (0.015, 0.02)]
-    if times[-1] < 0.015 or chosen[0] == chosen[1]:
+    instants = (0.245, 0.49) if run.name == "square-patch-shifting" else (0.015, 0.02)
+    chosen = [abs(times - wanted).argmin() for wanted in instants]
+    if times[-1] < instants[0] or chosen[0] == chosen[1]:
         chosen = [max(len(times) - 2, 0), len(times) - 1]
     return [read_frame(run, *run.frames[k]) for k in chosen]

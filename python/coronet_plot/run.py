@@ -65,7 +65,9 @@ class Run:
 
     @property
     def method(self):
-        return self.case.get("method", {}).get("gradient", "run").upper()
+        method = self.case.get("method", {})
+        shifting = method.get("shifting", "none")
+        return method.get("gradient", "run").upper() + (f" shifted by {shifting}" if shifting != "none" else "")
 
     @property
     def plane(self):

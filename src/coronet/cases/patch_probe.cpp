@@ -26,7 +26,8 @@ double shoelace(std::vector<Vector<double, 2>> const& line) {
 }  // namespace
 
 PatchProbe::PatchProbe(ProbeKeys const& keys, Case const& c)
-    : kernel_(probe_kernel<2>(c)),
+    : case_(c),
+      kernel_(probe_kernel<2>(c)),
       spacing_(c.particles.spacing),
       side_(Formula(keys.side, c.parameters)(Vector<double, 2>{}, 0)),
       omega_(Formula(keys.angular_velocity, c.parameters)(Vector<double, 2>{}, 0)) {}
@@ -72,11 +73,7 @@ void PatchProbe::remember_surface(Particles<2> const& particles) {
         outside_area_ += p.volume * (std::find(corners_.begin(), corners_.end(), p.id) != corners_.end() ? 0.75 : 0.5);
 }
 
-std::vector<double> PatchProbe::sample(Snapshot<2> const& now) {
-    auto const& particles = now.particles;
-    bool const first = outline_.empty();
-    if (first) remember_surface(particles);
-
+PatchProbe::Seen PatchProbe::material_outline(Particles<2> const& particles) const {
     auto const view = particles.view();
     std::vector<std::size_t> place(particles.owned());
     for (std::size_t i = 0; i < particles.owned(); ++i) place[static_cast<std::size_t>(particles.id[i])] = i;
@@ -86,27 +83,50 @@ std::vector<double> PatchProbe::sample(Snapshot<2> const& now) {
         for (auto const id : ids) sum += std::sqrt(norm2(position(id)));
         return sum / static_cast<double>(ids.size());
     };
-
     std::vector<Vector<double, 2>> line;
     for (auto const id : outline_) line.push_back(position(id));
-    area_ = std::fabs(shoelace(line)) / 2 + outside_area_;
+    return {mean_radius(corners_), mean_radius(mid_sides_), std::fabs(shoelace(line)) / 2 + outside_area_};
+}
+
+PatchProbe::Seen PatchProbe::outline_as_it_lies(Snapshot<2> const& now) const {
+    using std::numbers::pi;
+    auto const& outline = now.outline();
+    double farthest[4] = {}, nearest[4];
+    std::fill_n(nearest, 4, outline.farthest);
+    for (auto const& x : outline.line) {
+        double const r = std::sqrt(norm2(x)), angle = std::atan2(x[1], x[0]) + std::atan(omega_ * now.time);
+        auto const quarter = [&](double from) {
+            double const turns = (angle - from) / (2 * pi);
+            return static_cast<std::size_t>(4 * (turns - std::floor(turns))) % 4;
+        };
+        double &far = farthest[quarter(0)], &near = nearest[quarter(pi / 4)];
+        far = std::max(far, r);
+        near = std::min(near, r);
+    }
+    auto const mean = [](double const(&four)[4]) { return (four[0] + four[1] + four[2] + four[3]) / 4; };
+    return {mean(farthest), mean(nearest), outline.area};
+}
+
+std::vector<double> PatchProbe::sample(Snapshot<2> const& now) {
+    auto const& particles = now.particles;
+    bool const first = first_area_ == 0;
+    if (first) remember_surface(particles);
+    auto const seen =
+        case_.method.shifting == "none" ? material_outline(particles) : outline_as_it_lies(now);
+    area_ = seen.area;
     if (first) first_area_ = area_;
     fragments_ = fragments(particles, 3 * spacing_);
-    double const p = value_at(particles, kernel_, {}, [&](std::size_t i) { return view.get<Pressure>(i); });
-    return {mean_radius(corners_),
-            mean_radius(mid_sides_),
-            p,
-            static_cast<double>(fragments_),
-            area_,
-            side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * now.time, 2))};
+    double const p = value_at(particles, kernel_, {}, [&](std::size_t i) { return particles.view().get<Pressure>(i); });
+    return {seen.corner, seen.side,
+            p,           static_cast<double>(fragments_),
+            area_,       side_ / std::numbers::sqrt2 * std::sqrt(1 + std::pow(omega_ * now.time, 2))};
 }
 
 std::vector<Measure> PatchProbe::measures() const {
     double const error = area_ / first_area_ - 1;
     return {{"fragments_final", static_cast<double>(fragments_), 1.0, fragments_ - 1.0,
              "the exact patch stays in one piece"},
-            {"area_error", error, 0.0, error,
-             "area inside the outline of the initial surface, relative to its first value"}};
+            {"area_error", error, 0.0, error, "area inside the outline, relative to its first value"}};
 }
 
 }  // namespace coronet

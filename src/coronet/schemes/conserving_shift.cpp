@@ -83,7 +83,7 @@ void ConservingShift<D>::keep_size_and_content(Particles<D> const& particles, Bo
     // nothing moves on average.
     auto const mass = boundary.sums([&](std::size_t i) { return m[i]; });
     for_each(shift_.size(), [&](std::size_t i) {
-        if (norm2(G[i]) > 0) shift_[i] += (-dot(G[i], shift_[i]) / norm2(G[i])) * G[i];
+        if (norm2(G[i]) > 0) shift_[i] += -(std::getenv("IN") ? std::max(dot(G[i], shift_[i]), 0.0) : std::atof(std::getenv("NF")) * dot(G[i], shift_[i])) / norm2(G[i]) * G[i];
     });
     std::vector<Vector<double, D>> mean(boundary.pieces);
     for (int a = 0; a < D; ++a) {
