@@ -67,7 +67,7 @@ class Run:
     def method(self):
         method = self.case.get("method", {})
         shifting = method.get("shifting", "none")
-        return method.get("gradient", "run").upper() + (f" shifted by {shifting}" if shifting != "none" else "")
+        return method.get("gradient", "run").upper() + (f" + {shifting}" if shifting != "none" else "")
 
     @property
     def plane(self):
