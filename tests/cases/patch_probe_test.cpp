@@ -55,7 +55,7 @@ TEST(PatchProbe, SeesTheExactSquareWhereItLooksAtTheOutline) {
         scheme->begin_step(0);
         scheme->refresh();
         auto const probes = make_probes<2>(c);
-        auto const seen = probes[0]->sample(0, scheme->particles());
+        auto const seen = probes[0]->sample(Snapshot<2>(0, scheme->particles(), c));
         // Followed particles lie half a spacing inside; the outline is moved out by it.
         double const half = shifting == "none" ? 0.475 : 0.5;
         EXPECT_NEAR(seen[0], half * std::numbers::sqrt2, 1e-14) << shifting;

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "coronet/schemes/conserving_shift.hpp"
 #include "coronet/schemes/consistent_pressure.hpp"
 #include "coronet/schemes/projection.hpp"
 #include "tests/schemes/bodies.hpp"
@@ -69,9 +68,8 @@ TEST(MeanOnBoundary, ForceAndDivergenceAreDual) {
     A->divergence(v, divergence);
     A->accelerate(p);
     auto const view = b->particles.view();
-    double const power = sum_over(n, 0.0, [&](std::size_t i) {
-        return view.at<Mass>()[i] * dot(view.get<Acceleration>(i), v[i]);
-    });
+    double const power =
+        sum_over(n, 0.0, [&](std::size_t i) { return view.at<Mass>()[i] * dot(view.get<Acceleration>(i), v[i]); });
     EXPECT_NEAR(power, inner_product(p, divergence), 1e-12 * std::fabs(power));
 }
 
@@ -94,12 +92,10 @@ TEST(MeanOnBoundary, ConservesMomentumAndAngularMomentum) {
     std::size_t const n = b->particles.size();
     A->accelerate(random_numbers(n, 5));
     auto const view = b->particles.view();
-    double const forces = sum_over(n, 0.0, [&](std::size_t i) {
-        return view.at<Mass>()[i] * std::sqrt(norm2(view.get<Acceleration>(i)));
-    });
-    auto const sum = sum_over(n, Vector<double, 2>{}, [&](std::size_t i) {
-        return view.at<Mass>()[i] * view.get<Acceleration>(i);
-    });
+    double const forces = sum_over(
+        n, 0.0, [&](std::size_t i) { return view.at<Mass>()[i] * std::sqrt(norm2(view.get<Acceleration>(i))); });
+    auto const sum =
+        sum_over(n, Vector<double, 2>{}, [&](std::size_t i) { return view.at<Mass>()[i] * view.get<Acceleration>(i); });
     EXPECT_LT(std::sqrt(norm2(sum)), 1e-14 * forces);
     EXPECT_LT(std::fabs(torque(*b)), 1e-14 * forces);
 }
@@ -119,54 +115,6 @@ TEST(MeanOnBoundary, LeavesNoDivergenceAndTheContentAsItIs) {
     double const before = rate();
     EXPECT_TRUE(projection.project(b->particles, b->neighbours, 1e-3).converged);
     EXPECT_LT(std::fabs(rate()), 1e-8 * std::fabs(before));
-}
-
-TEST(ConservingShift, KeepsCentreAngularMomentumSizeAndContentAndPartsWhatIsNear) {
-    auto const b = body<2>(12, 0.5, support);
-    auto const boundary = boundary_of(*b);
-    auto& particles = b->particles;
-    auto const view = particles.view();
-    std::size_t const n = particles.size();
-    auto const vx = random_numbers(n, 3), vy = random_numbers(n, 4);
-    std::vector<Vector<double, 2>> before(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        view.at<Mass>()[i] *= 1 + 0.2 * static_cast<double>(i % 3);
-        view.set<Velocity>(i, {{vx[i], vy[i]}});
-        before[i] = view.get<Position>(i);
-    }
-    auto const close_energy = [&] {  // of what is shifted against
-        double sum = 0;
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                double const lack = b->dx - std::sqrt(norm2(view.get<Position>(i) - view.get<Position>(j)));
-                sum += lack > 0 ? lack * lack : 0;
-            }
-        return sum;
-    };
-    double const energy = close_energy();
-    ConservingShift<2> shift(b->dx, b->dx);
-    shift.find(particles, b->neighbours);
-    shift.apply(particles, boundary, 1e-3);
-
-    Vector<double, 2> centre{}, momentum{};
-    double turn = 0, size = 0, content = 0, moved = 0, size_moves = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        auto const d = view.get<Position>(i) - before[i], v = view.get<Velocity>(i);
-        double const m = view.at<Mass>()[i];
-        centre += m * d;
-        momentum += m * v;
-        turn += m * (d[0] * v[1] - d[1] * v[0]);
-        size += dot(boundary.of_size[i], d);
-        content += dot(boundary.of_content[i], d);
-        moved += m * std::sqrt(norm2(d));
-        size_moves += std::sqrt(norm2(boundary.of_size[i]) * norm2(d));
-    }
-    EXPECT_GT(moved, 0);
-    EXPECT_LT(std::sqrt(norm2(centre)), 1e-13 * moved);
-    EXPECT_LT(std::fabs(turn), 1e-12 * moved);
-    EXPECT_LT(std::fabs(size), 1e-11 * size_moves);
-    EXPECT_LT(std::fabs(content), 1e-11 * size_moves);
-    EXPECT_LT(close_energy(), energy);
 }
 
 }  // namespace coronet

@@ -149,8 +149,7 @@ TEST(ConsistentPressure, TakesTheEnergyOfWhatItTakesAway) {
     };
     auto const velocity = [&](std::size_t i) { return view.get<Velocity>(i); };
     double const dt = 1e-3, before = energy(velocity);
-    Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx,
-                             {1e-10, 3000});
+    Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx, {1e-10, 3000});
     ASSERT_TRUE(projection.project(b->particles, b->neighbours, dt).converged);
     auto const dv = b->particles.view();
     double const taken = energy([&](std::size_t i) { return dt * dv.get<Acceleration>(i); });
@@ -188,8 +187,7 @@ TEST(ConsistentPressure, OnALatticeComesCloserToThePressureAsTheSpacingFalls) {
             slope[0] += (R2 - norm2(x)) / 2;
             view.set<Velocity>(i, dt * slope);
         }
-        Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx,
-                                 {1e-4, 3000});
+        Projection<2> projection(consistent(*b, GradientKind::corrected), Preconditioning::jacobi, b->dx, {1e-4, 3000});
         EXPECT_TRUE(projection.project(b->particles, b->neighbours, dt).converged);
         double difference = 0, size = 0;
         for (std::size_t i = 0; i < n; ++i) {

@@ -155,7 +155,8 @@ TEST(Boundary, TellsPiecesApartAndKnowsVoids) {
     ASSERT_EQ(two.boundary.pieces, 2u);
     for (std::size_t i = 0; i < points.size(); ++i) {
         bool const first = two.particles.view().get<Position>(i)[0] < 10;
-        EXPECT_EQ(two.boundary.piece_of(i) == two.boundary.piece_of(0), first == (two.particles.view().get<Position>(0)[0] < 10));
+        EXPECT_EQ(two.boundary.piece_of(i) == two.boundary.piece_of(0),
+                  first == (two.particles.view().get<Position>(0)[0] < 10));
     }
     Points ring;
     for (auto const& x : disc(9, 0, 1))

@@ -29,14 +29,41 @@ std::vector<double> ModeProbe::sample(Snapshot<2> const& now) {
     auto const along = amplitude * std::conj(phase_);
     time_.push_back(now.time);
     value_.push_back(along.real());
+    shear_.push_back(shear_of(now.particles));
     return {along.real(), along.imag()};
+}
+
+/// sum V mu g^2 and sum V g^2, g the shear rate, which the viscous stress tells: mu g^2 = tau : tau/(2 mu).
+ModeProbe::Shear ModeProbe::shear_of(Particles<2> const& particles) const {
+    Shear sums;
+    if (!particles.has<Viscosity>() || !particles.has<Stress>()) return sums;
+    auto const view = particles.view();
+    for (std::size_t i = 0; i < particles.owned(); ++i) {
+        auto const sigma = view.get<Stress>(i);
+        double const half = (sigma(0, 0) - sigma(1, 1)) / 2, tau2 = half * half + sigma(0, 1) * sigma(0, 1);
+        double const mu = view.get<Viscosity>(i), V = view.get<Mass>(i) / case_.fluid.density;
+        if (mu == 0) continue;
+        sums.viscous += V * tau2 / mu;
+        sums.squared += V * tau2 / (mu * mu);
+    }
+    return sums;
+}
+
+/// Of the samples from a time on.
+double ModeProbe::viscosity_of_the_flow(double from) const {
+    Shear sums;
+    for (std::size_t k = 0; k < time_.size(); ++k)
+        if (time_[k] >= from) sums.viscous += shear_[k].viscous, sums.squared += shear_[k].squared;
+    return sums.squared > 0 ? sums.viscous / sums.squared : rheology_of(case_).viscosity_at(0);
 }
 
 std::vector<Measure> ModeProbe::measures() const {
     if (time_.empty()) return {};
     auto const& fluid = case_.fluid;
-    double const mu = rheology_of(case_).viscosity_at(0);
-    std::string const liquid = fluid.rheology == "newtonian" ? "" : ", with the viscosity at no shear";
+    auto const inviscid = drop_mode(n_, radius_, fluid.density, fluid.surface_tension, 0);
+    double const mu = viscosity_of_the_flow(time_.front() + 2 * std::numbers::pi / inviscid->angular_frequency);
+    std::string const liquid =
+        fluid.rheology == "newtonian" ? "" : fmt::format(", with the viscosity {:.4g} Pa s that dissipated", mu);
     std::string const theory = fmt::format("exact viscous mode {} of small amplitude in 2D, Ohnesorge number {:.4g}{}",
                                            n_, mu / std::sqrt(fluid.density * fluid.surface_tension * radius_), liquid);
     auto const exact = drop_mode(n_, radius_, fluid.density, fluid.surface_tension, mu);

@@ -5,7 +5,9 @@
 // by half a spacing (drop_outline.hpp) about its centroid; R from mass and density. The amplitude is a complex number,
 // a exp(-i n theta0); it is shown along its first value, so that what oscillates is `mode_amplitude`, and what turns or
 // is noise is `mode_amplitude_imaginary`. Period and damping rate come from a fit to the former (oscillation_fit.hpp),
-// from one period of theory on, when sound and the first disorder are gone, to the end.
+// from one period of theory on, when sound and the first disorder are gone, to the end. Where viscosity depends on the
+// shear rate, theory is given the one that dissipates: its mean over particles and samples, weighted by shear rate
+// squared.
 
 #include <complex>
 
@@ -22,11 +24,18 @@ public:
     std::vector<Measure> measures() const override;
 
 private:
+    struct Shear {
+        double viscous = 0, squared = 0;
+    };
+    Shear shear_of(Particles<2> const& particles) const;
+    double viscosity_of_the_flow(double from) const;
+
     Case const& case_;
     int n_;
     double radius_ = 0;                 // [m]
     std::complex<double> phase_ = 1;    // of the first amplitude
-    std::vector<double> time_, value_;  // of all samples
+    std::vector<double> time_, value_;  // of all samples,
+    std::vector<Shear> shear_;          // too
 };
 
 }  // namespace coronet

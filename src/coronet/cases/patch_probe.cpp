@@ -111,8 +111,7 @@ std::vector<double> PatchProbe::sample(Snapshot<2> const& now) {
     auto const& particles = now.particles;
     bool const first = first_area_ == 0;
     if (first) remember_surface(particles);
-    auto const seen =
-        case_.method.shifting == "none" ? material_outline(particles) : outline_as_it_lies(now);
+    auto const seen = case_.method.shifting == "none" ? material_outline(particles) : outline_as_it_lies(now);
     area_ = seen.area;
     if (first) first_area_ = area_;
     fragments_ = fragments(particles, 3 * spacing_);

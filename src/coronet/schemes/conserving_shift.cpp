@@ -24,9 +24,9 @@ template <int D>
 struct Motion {
     static constexpr int axes = D == 2 ? 1 : 3;
     double mass = 0;
-    Vector<double, D> centre{}, momentum{};  // both times mass
-    Eigen::Matrix<double, axes, 1> moment = Eigen::Matrix<double, axes, 1>::Zero();
-    Eigen::Matrix<double, axes, axes> inertia = Eigen::Matrix<double, axes, axes>::Zero();
+    Vector<double, D> centre{}, momentum{};            // both times mass
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // the first `axes` entries
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 
     void add(double m, Vector<double, D> const& x, Vector<double, D> const& v) {
         mass += m;
@@ -79,11 +79,13 @@ template <int D>
 void ConservingShift<D>::keep_size_and_content(Particles<D> const& particles, Boundary<D> const& boundary) {
     double const* const m = particles.view().template at<Mass>();
     auto const &S = boundary.of_size, &G = boundary.of_content;
-    // Particles of the surface only move along it, since a rough surface costs the flow what smoothing it takes; then
-    // nothing moves on average.
+    // No particle of the surface is pushed out: a surface so roughened costs the flow what smoothing it takes, and
+    // damps waves. Inwards they go, which is how a surface that grows shorter gets rid of particles. Then nothing moves
+    // on average.
     auto const mass = boundary.sums([&](std::size_t i) { return m[i]; });
     for_each(shift_.size(), [&](std::size_t i) {
-        if (norm2(G[i]) > 0) shift_[i] += -(std::getenv("IN") ? std::max(dot(G[i], shift_[i]), 0.0) : std::atof(std::getenv("NF")) * dot(G[i], shift_[i])) / norm2(G[i]) * G[i];
+        double const outwards = dot(G[i], shift_[i]);
+        if (outwards > 0) shift_[i] += (-outwards / norm2(G[i])) * G[i];
     });
     std::vector<Vector<double, D>> mean(boundary.pieces);
     for (int a = 0; a < D; ++a) {
@@ -158,15 +160,16 @@ void ConservingShift<D>::apply(Particles<D>& particles, Neighbours<D> const& nei
     auto const after = motions(particles, boundary, origin);
     constexpr int axes = Motion<D>::axes;
     std::vector<Vector<double, D>> centre(after.size()), drift(after.size());
-    std::vector<Eigen::Matrix<double, axes, 1>> spin(after.size());
+    std::vector<Eigen::Vector3d> spin(after.size());
     for (std::size_t k = 0; k < after.size(); ++k) {
         auto const& now = after[k];
         centre[k] = (1 / now.mass) * now.centre;
         drift[k] = (1 / now.mass) * (before[k].momentum - now.momentum);
         Motion<D> whole;
         whole.add(now.mass, centre[k], drift[k]);
-        Eigen::Matrix<double, axes, axes> const inertia = now.inertia - whole.inertia;
-        spin[k] = inertia.completeOrthogonalDecomposition().solve(before[k].moment - now.moment - whole.moment);
+        Eigen::Matrix3d const inertia = now.inertia - whole.inertia;
+        Eigen::Vector3d const lack = before[k].moment - now.moment - whole.moment;
+        spin[k] = inertia.trace() > 0 ? Eigen::Vector3d(inertia.ldlt().solve(lack)) : Eigen::Vector3d(0, 0, 0);
     }
     for_each(n, [&](std::size_t i) {
         std::size_t const k = boundary.piece_of(i);

@@ -4,11 +4,11 @@
 // Keeps particles evenly spaced: after each step those nearer than a range a are moved apart by a share of what they
 // lack,
 //     d_i = sum_j m_j/(m_i + m_j) (a - r_ij)_+ x_ij/r_ij,
-// and of all displacements that is taken which comes nearest to d in the norm of the masses and leaves, to first order,
-// the size S and the content C of the boundary of each piece of liquid (surface/boundary.hpp) as they were:
+// those of the surface not outwards; and of all displacements that is taken which comes nearest to d in the norm of the
+// masses and leaves the centre of mass and, to first order, the size S and the content C of the boundary of each piece
+// of liquid (surface/boundary.hpp) as they were:
 //     d <- d - M^-1 (s grad S + c grad C).
-// Pairs move about their centre of mass, and the gradients sum to zero, so the centre of mass stays. Other than shifting
-// along a gradient of concentration it needs no special treatment of the surface, and it takes no surface energy.
+// So shifting neither spreads a surface nor takes or gives surface energy.
 //
 // Velocities follow the flow to where particles are put, v <- v + grad v d, or else they would diffuse; then a rigid
 // motion of each piece, of the order of the error of grad v, gives back its momentum and angular momentum to round-off.

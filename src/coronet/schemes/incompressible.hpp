@@ -94,8 +94,8 @@ private:
     Particles<D> particles_;
     Neighbours<D> neighbours_;
     Shifting<D> shifting_;
-    Boundary<D> boundary_;                     ///< if tension acts on it
-    ThesisPressure<D>* thesis_ = nullptr;      ///< the projection's, if it is that one
+    Boundary<D> boundary_;                      ///< if tension acts on it
+    ThesisPressure<D>* thesis_ = nullptr;       ///< the projection's, if it is that one
     MeanOnBoundary<D>* on_boundary_ = nullptr;  ///< around it, if there is one
     Projection<D> projection_;
     Counters counters_;

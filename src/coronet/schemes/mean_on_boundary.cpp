@@ -78,8 +78,9 @@ void MeanOnBoundary<D>::accelerate(std::span<double const> p) {
     inner_->accelerate(above_);
     auto const view = particles_->view();
     for_each(p.size(), [&](std::size_t i) {
-        view.template set<Acceleration>(i, view.template get<Acceleration>(i) +
-                                               mean_[boundary_->piece_of(i)] / view.template at<Mass>()[i] * boundary_->of_content[i]);
+        view.template set<Acceleration>(i, view.template get<Acceleration>(i) + mean_[boundary_->piece_of(i)] /
+                                                                                    view.template at<Mass>()[i] *
+                                                                                    boundary_->of_content[i]);
     });
 }
 

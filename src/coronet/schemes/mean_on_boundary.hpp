@@ -5,10 +5,10 @@
 // volumes, P p = p - V.p/sum V what p has above its mean, and G the derivative of the content of the boundary
 // (surface/boundary.hpp),
 //     B' = P^T B + V G^T/sum V,   M dv/dt = B'^T p = B^T (p - p_mean) + p_mean G,
-// for each piece of liquid. B' v = 0 says that the liquid expands nowhere more than elsewhere, and that the content of its
-// boundary does not change. Particles at the surface then feel no constant pressure through their truncated
-// surroundings, whatever the arrangement, so they do not crowd there (surface/tension.hpp). Force and divergence stay dual,
-// and momentum and angular momentum conserved, if they are in the other operator. Of its A,
+// for each piece of liquid. B' v = 0 says that the liquid expands nowhere more than elsewhere, and that the content of
+// its boundary does not change. Particles at the surface then feel no constant pressure through their truncated
+// surroundings, whatever the arrangement, so they do not crowd there (surface/tension.hpp). Force and divergence stay
+// dual, and momentum and angular momentum conserved, if they are in the other operator. Of its A,
 //     A' p = P^T (A P p + c p_mean) + V (c.P p + G.M^-1 G p_mean)/sum V,   c = B M^-1 G.
 
 #include <memory>
@@ -43,9 +43,9 @@ private:
     std::unique_ptr<PressureOperator<D>> inner_;
     Boundary<D> const* boundary_ = nullptr;
     Particles<D>* particles_ = nullptr;
-    std::vector<double> volume_, stiffness_;        ///< of each piece: sum V, G.M^-1 G
-    std::vector<std::vector<double>> of_mean_;      ///< c, of each piece
-    std::vector<double> mean_, above_;              ///< of the p at hand
+    std::vector<double> volume_, stiffness_;    ///< of each piece: sum V, G.M^-1 G
+    std::vector<std::vector<double>> of_mean_;  ///< c, of each piece
+    std::vector<double> mean_, above_;          ///< of the p at hand
 };
 
 }  // namespace coronet

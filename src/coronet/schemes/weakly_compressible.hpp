@@ -7,8 +7,10 @@
 //     p       = p(rho),  sigma = -p I + 2 mu d   (8, 5, 6, 62), mu by the rheology
 // with one of three gradients: sph (plain), fpm (corrected everywhere), cph (corrected near the free surface).
 // Where surface tension acts on the boundary of the liquid, the mean pressure does so, too, and continuity gives each
-// piece of liquid the rate of volume of its boundary (surface/boundary.hpp): with V the volumes and a bar for their mean,
-//     drho/dt = -rho (div v - mean div v + (d content/dt)/sum V),   m dv/dt = ... (p - mean p) ... + (mean p) grad content,
+// piece of liquid the rate of volume of its boundary (surface/boundary.hpp): with V the volumes and a bar for their
+// mean,
+//     drho/dt = -rho (div v - mean div v + (d content/dt)/sum V),   m dv/dt = ... (p - mean p) ... + (mean p) grad
+//     content,
 // dual to each other as (60) and (61) are.
 // In time the predictor-corrector (88)-(89): half a step with the rates at the start, a whole step with those at the
 // half; or symplectic Euler, with one evaluation a step:
@@ -103,7 +105,7 @@ private:
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
-    Boundary<D> boundary_;            // if tension acts on it,
+    Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece
     Shifting<D> shifting_;
     Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()

@@ -3,8 +3,8 @@
 
 // The boundary of the liquid as a function of the positions of its particles, with exact derivatives. The surface
 // particles in order (outline.hpp) are the outermost, but half of what each of them stands for lies farther out. With V
-// the volume of a particle, l_i the mean of the four sides of the outline nearest to i, and n_i the outward normal of the
-// line through its neighbours there,
+// the volume of a particle, l_i the mean of the four sides of the outline nearest to i, and n_i the outward normal of
+// the line through its neighbours there,
 //     X_i = x_i + V/(2 l_i) n_i
 // are the corners of the boundary; its length is `size`, the area within it `content`. Where the flow stretches the
 // surface, the layer outside of the outermost particles grows thin, as it must: the boundary moves as the liquid
@@ -28,8 +28,8 @@ namespace coronet {
 template <int D>
 struct Boundary {
     std::size_t pieces = 0;
-    std::vector<Index> piece;                          ///< that each particle belongs to
-    std::vector<double> size, content;                 ///< of each piece [m, m^2]
+    std::vector<Index> piece;                            ///< that each particle belongs to
+    std::vector<double> size, content;                   ///< of each piece [m, m^2]
     std::vector<Vector<double, D>> of_size, of_content;  ///< their derivatives by the position of each particle [1, m]
 
     double total_size() const { return std::accumulate(size.begin(), size.end(), 0.0); }
@@ -46,8 +46,8 @@ struct Boundary {
     }
 };
 
-/// Sets Surface, too: 1 on the boundary and 0 elsewhere. coverage_radius as in detect.hpp, spacing that of the particles
-/// [m]. Throws CaseError if the lists of neighbours do not reach twice the coverage radius.
+/// Sets Surface, too: 1 on the boundary and 0 elsewhere. coverage_radius as in detect.hpp, spacing that of the
+/// particles [m]. Throws CaseError if the lists of neighbours do not reach twice the coverage radius.
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
                           double spacing);
 

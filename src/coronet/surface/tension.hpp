@@ -6,9 +6,9 @@
 // `boundary`: minus the derivative of sigma times the length of the boundary (surface/boundary.hpp),
 //     f_i = -sigma dP/dx_i:
 // along each side of the polygon sigma pulls at both of its ends. Momentum and angular momentum are conserved to
-// round-off on any arrangement, and the work done is the loss of sigma P. The pressure that balances it must not be felt
-// by the outermost particles through their truncated surroundings, which would push them out until they crowd: its mean
-// acts on the boundary as well, p_mean dA/dx_i, and only what exceeds the mean acts between particles.
+// round-off on any arrangement, and the work done is the loss of sigma P. The pressure that balances it must not be
+// felt by the outermost particles through their truncated surroundings, which would push them out until they crowd: its
+// mean acts on the boundary as well, p_mean dA/dx_i, and only what exceeds the mean acts between particles.
 //
 // `curvature`: Lobo (2011) Eq 3.51,
 //     f_i = -sigma kappa_i n_i A_i,
@@ -25,10 +25,10 @@ enum class TensionForce { boundary, curvature };
 
 /// How the free surface is found, and what acts there.
 struct SurfaceSettings {
-    double tension = 0;          ///< sigma [N/m]
+    double tension = 0;                            ///< sigma [N/m]
     TensionForce force = TensionForce::curvature;  ///< `boundary` in 2D alone
-    double spacing = 0;          ///< of the particles [m]
-    double coverage_radius = 0;  ///< [m], of surface/detect.hpp
+    double spacing = 0;                            ///< of the particles [m]
+    double coverage_radius = 0;                    ///< [m], of surface/detect.hpp
     SurfaceFit fit{0};
     bool remove_mean_force = false;
 
