@@ -95,6 +95,9 @@ template <int D>
 void Incompressible<D>::begin_step(double /*time*/) {
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
     phases_.act("check", [&] { check_state(particles_); });
+    if constexpr (D == 2)  // else each step finds it half-way
+        if (settings_.surface.acts_on_boundary() && boundary_.pieces == 0)
+            boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
 }
 
 template <int D>
@@ -265,10 +268,7 @@ std::vector<Reading> Incompressible<D>::readings() const {
                               {"solver_iterations", static_cast<double>(solved_.iterations)},
                               {"divergence_max", divergence_}};
     if (viscous_step_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
-    if (settings_.surface.acts_on_boundary()) {
-        list.push_back({"surface_energy", settings_.surface.tension * boundary_.total_size()});
-        list.push_back({"surface_content", boundary_.total_content()});
-    }
+    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
     return list;
 }
 

@@ -10,6 +10,7 @@
 
 #include "coronet/core/phases.hpp"
 #include "coronet/fields/particles.hpp"
+#include "coronet/surface/boundary.hpp"
 
 namespace coronet {
 
@@ -38,6 +39,13 @@ struct Reading {
     std::string name;
     double value;
 };
+
+/// What a scheme with a tension sigma [N/m] on the boundary shows of it.
+template <int D>
+void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, double sigma) {
+    list.push_back({"surface_energy", sigma * boundary.total_size()});
+    list.push_back({"surface_content", boundary.total_content()});
+}
 
 template <int D>
 class Scheme {

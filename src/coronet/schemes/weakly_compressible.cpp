@@ -348,6 +348,13 @@ Arrangement WeaklyCompressible<D>::arrangement() {
     return arrangement_of(particles_, neighbours_);
 }
 
+template <int D>
+std::vector<Reading> WeaklyCompressible<D>::readings() const {
+    std::vector<Reading> list{{"singular_matrices", static_cast<double>(counters_.singular_now)}};
+    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
+    return list;
+}
+
 template class WeaklyCompressible<2>;
 template class WeaklyCompressible<3>;
 

@@ -74,9 +74,7 @@ public:
     void advance(double time, double step) override;
     void refresh() override;
     Arrangement arrangement() override;
-    std::vector<Reading> readings() const override {
-        return {{"singular_matrices", static_cast<double>(counters_.singular_now)}};
-    }
+    std::vector<Reading> readings() const override;
 
     Particles<D> const& particles() const override { return particles_; }
     Counters const& counters() const override { return counters_; }
