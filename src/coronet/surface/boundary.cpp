@@ -45,8 +45,7 @@ Vector2 left_of(Vector2 const& t) { return {{-t[1], t[0]}}; }
 /// The corners of the boundary for one loop of the outline, and how they follow its particles.
 class Corners {
 public:
-    /// volume of a particle [m^2].
-    Corners(std::vector<Vector2> points, double volume) : x_(std::move(points)), n_(x_.size()), corners_(x_) {
+    Corners(std::vector<Vector2> points, double spacing) : x_(std::move(points)), n_(x_.size()), corners_(x_) {
         for (std::size_t k = 0; k < n_; ++k) {
             auto const side = x_[at(k, 1)] - x_[k];
             length_.push_back(std::sqrt(norm2(side)));
@@ -57,11 +56,13 @@ public:
             chord_.push_back(std::sqrt(norm2(chord)));
             double spread = 0;
             for_sides(k, [&](std::size_t side) { spread += length_[side] / sides; });
-            spread_.push_back(spread);
+            bool const crowded = spread < 0.5 * spacing;
+            spread_.push_back(crowded ? 0.5 * spacing : spread);
+            crowded_.push_back(crowded);
             // At the end of a thread the outline turns back, and there is no normal.
-            bool const has_normal = chord_[k] > 0 && spread > 0;
+            bool const has_normal = chord_[k] > 0;
             normal_.push_back(has_normal ? (1 / chord_[k]) * right_of(chord) : Vector2{});
-            out_.push_back(has_normal ? volume / (2 * spread) : 0);
+            out_.push_back(has_normal ? spacing * spacing / (2 * spread_[k]) : 0);
             corners_[k] += out_[k] * normal_[k];
         }
     }
@@ -79,6 +80,7 @@ public:
             auto const turning = (out_[k] / chord_[k]) * left_of(F - outwards * normal_[k]);
             total[at(k, 1)] += turning;
             total[at(k, n_ - 1)] += -turning;
+            if (crowded_[k]) continue;
             for_sides(k, [&](std::size_t side) {
                 auto const thinning = (-outwards * out_[k] / (spread_[k] * sides)) * along_[side];
                 total[at(side, 1)] += thinning;
@@ -102,6 +104,7 @@ private:
     std::size_t n_;
     std::vector<Vector2> corners_, along_, normal_;
     std::vector<double> length_, chord_, spread_, out_;
+    std::vector<char> crowded_;
 };
 
 }  // namespace
@@ -128,7 +131,7 @@ Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbou
             points.push_back(view.get<Position>(static_cast<std::size_t>(i)));
             view.at<Surface>()[i] = 1;
         }
-        Corners const corners(points, spacing * spacing);
+        Corners const corners(points, spacing);
         auto const piece = boundary.piece_of(static_cast<std::size_t>(loop.particles[0]));
         Vectors of_size(points.size()), of_content(points.size());  // by the corners
         for (std::size_t k = 0; k < points.size(); ++k) {

@@ -10,7 +10,7 @@
 // surface, the layer outside of the outermost particles grows thin, as it must: the boundary moves as the liquid
 // there does. (With half a spacing everywhere it would move as the outermost particles do, less than the liquid: mode n
 // of a drop of radius R then has an error of n times the spacing over R.) A row of single particles is a thread
-// of the right volume.
+// of the right volume. Where surface particles crowd to less than half a spacing, l is that: a boundary a spacing out.
 //
 // Neither changes when everything is shifted or turned: whatever the arrangement, their derivatives sum to zero over
 // the particles, and so do the moments. A force that is a multiple of them conserves momentum and angular momentum to
