@@ -33,9 +33,10 @@ class Scale:
 
     @classmethod
     def of_calmest(cls, frames):
-        """From the frame whose pressures spread least, so that a noisy run beside it does not drown it."""
-        ranges = [numpy.percentile(joined([frame]), [1, 99]) for frame in frames]
-        low, high = min(ranges, key=lambda ends: ends[1] - ends[0])
+        """From the frame whose pressures spread least, so that a noisy run beside it does not drown it; one without any, as of
+        a projection before its first step, does not count."""
+        ranges = [numpy.percentile(joined([frame]), [1, 99]) for frame in frames if numpy.ptp(joined([frame])) > 0]
+        low, high = min(ranges, key=lambda ends: ends[1] - ends[0], default=(0.0, 0.0))
         return cls.between(low, high, joined(frames), style.PRESSURE_MAP)
 
     @classmethod

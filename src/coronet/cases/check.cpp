@@ -240,10 +240,10 @@ void check(Case const& c, Errors& errors) {
             "surface.pressure = 'free' leaves the pressure of the thesis's matrix open by a constant, and it has no "
             "solution: use 'mirrored' or 'zero', or method.lattice_diagonal = true");
     bool const on_boundary = c.fluid.surface_tension > 0 && c.surface.tension_force == "boundary";
-    if (c.method.shifting == "conserving" && (!on_boundary || c.method.scheme != "projection"))
+    if (c.method.shifting == "conserving" && !on_boundary)
         say(errors,
             "method.shifting = 'conserving' keeps what a tension on the boundary acts on: it needs "
-            "method.scheme = 'projection', fluid.surface_tension and surface.tension_force = 'boundary'");
+            "fluid.surface_tension and surface.tension_force = 'boundary'");
     if (on_boundary && c.time.stepping == "symplectic-euler")
         say(errors, "surface.tension_force = 'boundary' needs time.stepping = 'predictor-corrector'");
     if (on_boundary && D == 3)

@@ -130,7 +130,7 @@ void describe_shifting(Keys& keys, Case& c) {
         {.path = "method.shifting",
          .meaning = "keeps particles evenly spread: xu (spreads a free surface), jahanbakhsh (pushes apart what "
                     "is nearer than a spacing), sun (moves nothing out of a free surface, so it keeps volume), "
-                    "conserving (with a tension on the boundary by projection: keeps momentum, its moment, and what "
+                    "conserving (with a tension on the boundary: keeps momentum, its moment, and what "
                     "the surface holds)"},
         m.shifting, {"none", "xu", "jahanbakhsh", "sun", "conserving"});
     keys.number({.path = "method.shift_range",

@@ -113,6 +113,7 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.viscous_force = c.method.viscous_force == "morris" ? ViscousForce::morris : ViscousForce::stress;
     s.stepping = c.time.stepping == "symplectic-euler" ? Stepping::symplectic_euler : Stepping::predictor_corrector;
     s.shifting = shifting(c);
+    s.shift_range = c.method.shifting == "conserving" ? c.method.shift_range * dx : 0;
     s.position_update =
         c.time.position_update == "mean-velocity" ? PositionUpdate::mean_velocity : PositionUpdate::midpoint_velocity;
     s.courant = c.time.courant;

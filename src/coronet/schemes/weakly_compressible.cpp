@@ -98,6 +98,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
         });
     });
     evaluate(time + 0.5 * step);
+    if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     phases_.act("correct", [&] {
         bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
         for_each(particles_.owned(), [&](std::size_t i) {
@@ -110,6 +111,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
                                        view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
         });
     });
+    if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->apply(particles_, neighbours_, boundary_); });
 }
 
 template <int D>
@@ -339,6 +341,7 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
 
 template <int D>
 void WeaklyCompressible<D>::refresh() {
+    if (settings_.shift_range > 0) conserving_shift_.emplace(settings_.shift_range);
     update_state();
 }
 

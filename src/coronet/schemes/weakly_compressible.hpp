@@ -17,11 +17,13 @@
 //     rho_new = rho + dt drho/dt(x, v),   v_new = v + dt dv/dt(x, p(rho_new)),   x_new = x + dt v_new.
 
 #include <functional>
+#include <optional>
 
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/materials/equation_of_state.hpp"
 #include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/schemes/conserving_shift.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
 #include "coronet/schemes/shifting.hpp"
@@ -61,6 +63,7 @@ public:
         PairTerms pair_terms;
         SurfaceSettings surface;
         ShiftingSettings shifting;
+        double shift_range = 0;          ///< [m], of schemes/conserving_shift.hpp; 0: none
         Vector<double, D> gravity = {};  ///< [m/s^2]
         /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
         std::function<void(double, View<D> const&, std::size_t count)> body_force;
@@ -106,6 +109,7 @@ private:
     Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece
     Shifting<D> shifting_;
+    std::optional<ConservingShift<D>> conserving_shift_;
     Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
     Counters counters_;
     Phases phases_;
