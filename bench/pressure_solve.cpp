@@ -7,11 +7,15 @@
 // of one step of a force on the outermost particles, as surface tension has it.
 //
 // pressure_solve [--dimension D] [--threads T] [--tolerance X] [--operator thesis|sph|fpm]
-//     [--preconditioner jacobi|multigrid] [--kernel NAME] [--support SPACINGS] [--jitter SPACINGS] [--budget SECONDS] N
+//     [--preconditioner none|cholesky|jacobi|multigrid] [--kernel NAME] [--support SPACINGS] [--jitter SPACINGS]
+//     [--budget SECONDS] N
 //     ...
 //
-// What took long is not tried with more particles: what would exceed `budget` tenfold.
+// `none` and `cholesky`, an incomplete factorisation with as many entries as the matrix, are Eigen's, and for the
+// thesis's matrix alone: the consistent operator has none. What took long is not tried with more particles: what would
+// exceed `budget` tenfold.
 
+#include <Eigen/IterativeLinearSolvers>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -103,6 +107,33 @@ std::unique_ptr<PressureOperator<D>> make_operator(std::string const& name, Opti
     return made;
 }
 
+struct Tried {
+    long iterations;
+    double set_up, solve;  // s
+};
+
+/// By Eigen, from zero, the matrix stored once more.
+template <class Preconditioner, int D>
+Tried by_eigen(ThesisPressure<D>& pressure, std::vector<double> const& b, double tolerance) {
+    using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    auto const n = static_cast<Eigen::Index>(b.size());
+    double const begin = seconds();
+    auto const& rows = pressure.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        entries.emplace_back(static_cast<int>(i), static_cast<int>(i), pressure.diagonal()[i]);
+        for (std::size_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k)
+            entries.emplace_back(static_cast<int>(i), rows.column[k], rows.value[k]);
+    }
+    Matrix A(n, n);
+    A.setFromTriplets(entries.begin(), entries.end());
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Preconditioner> solver(A);
+    solver.setTolerance(tolerance);
+    double const built = seconds();
+    Eigen::VectorXd const p = solver.solve(Eigen::Map<Eigen::VectorXd const>(b.data(), n));
+    return {solver.iterations(), built - begin, seconds() - built};
+}
+
 template <int D>
 void run(Options const& o) {
     struct Point {
@@ -127,12 +158,31 @@ void run(Options const& o) {
         Neighbours<D> neighbours(o.support * dx, 0.03 * o.support * dx);
         neighbours.update(particles);
         for (std::string const name : {"thesis", "fpm+5%", "sph", "fpm"})
-            for (std::string const precondition : {"jacobi", "multigrid"}) {
+            for (std::string const precondition : {"none", "cholesky", "jacobi", "multigrid"}) {
                 std::string const key = name + " " + precondition;
                 if ((!o.operator_name.empty() && name != o.operator_name) || too_slow[key] ||
                     (!o.preconditioner.empty() && precondition != o.preconditioner))
                     continue;
                 set_velocity(particles, dx);
+                if (precondition == "none" || precondition == "cholesky") {
+                    if (name != "thesis") continue;
+                    auto const made = make_operator<D>(name, o, dx, particles);
+                    auto& pressure = static_cast<ThesisPressure<D>&>(*made);
+                    pressure.set_up(particles, neighbours);
+                    std::vector<double> b(particles.size());
+                    pressure.source(dt, b);
+                    auto const tried = precondition == "none"
+                                           ? by_eigen<Eigen::IdentityPreconditioner>(pressure, b, o.tolerance)
+                                           : by_eigen<Eigen::IncompleteCholesky<double>>(pressure, b, o.tolerance);
+                    double const all = tried.set_up + tried.solve;
+                    fmt::print("{:9} {:8} {:9} {:10} {:>9} {:9.3f} {:9.3f} {:12.1f}\n", particles.size(), name,
+                               precondition, tried.iterations, "", tried.set_up, tried.solve, all / evaluation);
+                    std::fflush(stdout);
+                    growth[key].push_back(
+                        {static_cast<double>(particles.size()), static_cast<double>(tried.iterations)});
+                    too_slow[key] = all * (D == 2 ? 30 : 10) > 10 * o.budget;
+                    continue;
+                }
                 for (double& p : particles.template get<Pressure>()) p = 0;
                 Projection<D> projection(
                     make_operator<D>(name, o, dx, particles),
