@@ -17,7 +17,7 @@ namespace {
 
 TEST(BuiltinCases, AreValidAndNamedAsTheirFiles) {
     EXPECT_GE(builtin_cases().size(), 4u);
-    for (BuiltinCase const& known : builtin_cases()) {
+    for (BuiltinFile const& known : builtin_cases()) {
         Case const c = load_case(std::string(known.name));
         EXPECT_EQ(c.name, known.name);
         EXPECT_FALSE(c.title.empty()) << known.name;
@@ -25,7 +25,7 @@ TEST(BuiltinCases, AreValidAndNamedAsTheirFiles) {
 }
 
 TEST(WriteCase, OfABuiltInCaseReadsBackAsTheSameText) {
-    for (BuiltinCase const& known : builtin_cases()) {
+    for (BuiltinFile const& known : builtin_cases()) {
         std::string const text = write_case(load_case(std::string(known.name)));
         EXPECT_EQ(write_case(read_case(text, "written")), text);
     }

@@ -33,7 +33,7 @@ namespace {
 constexpr int done = 0, wrong_case = 2, failed_run = 3, interrupted_run = 130;
 
 void list_cases() {
-    for (BuiltinCase const& known : builtin_cases()) {
+    for (BuiltinFile const& known : builtin_cases()) {
         Case const c = load_case(std::string(known.name));
         fmt::print("{:<22} {}D  {}\n", known.name, c.dimension, c.title);
     }

@@ -31,12 +31,21 @@ struct Shape {
     std::vector<Cut> cuts;
 };
 
+/// A wall: one side of a surface is solid.
+struct Wall {
+    std::string kind = "box", solid = "outside", slip = "none";
+    std::vector<double> centre, size, corners;
+    double radius = 1, rotation = 0;
+    std::vector<std::string> surface_velocity;
+};
+
 struct ProbeKeys {
     std::string kind = "value";
     std::string name, field = "pressure";
     std::vector<double> at;
     std::vector<std::string> rates, semi_axes;
     std::string side = "1", angular_velocity = "1";
+    std::string flow = "steady", gap = "1", lower_velocity = "0", upper_velocity = "0", depth = "1";
     int mode = 2;
 };
 
@@ -45,6 +54,12 @@ struct Case {
     int dimension = 2;
     std::map<std::string, double> parameters;
     std::vector<Shape> shapes;
+    std::vector<Wall> walls;
+
+    struct {
+        std::string periodic = "none";
+        std::vector<double> centre, size;
+    } domain;
 
     struct {
         double amplitude = 0.05;
@@ -62,6 +77,10 @@ struct Case {
         std::vector<std::string> velocity;
         std::string pressure = "0";
     } initial;
+
+    struct {
+        double reynolds = 0, speed = 1, length = 1;
+    } flow;
 
     struct : Rheology {
         std::string preset = "none", rheology, flow_curve, equation_of_state = "linear";
@@ -92,7 +111,7 @@ struct Case {
     } surface;
 
     struct {
-        double end = 0, step = 0, courant = 0.25;
+        double end = 0, step = 0, courant = 0.25, settled = 0;
         std::string stepping = "predictor-corrector", position_update = "mean-velocity";
     } time;
 

@@ -12,10 +12,12 @@
 #include "coronet/cases/fill.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/lattice.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/cases/shapes.hpp"
+#include "coronet/cases/wall_fill.hpp"
 #include "coronet/core/error.hpp"
 #include "coronet/surface/tension.hpp"
 
@@ -60,6 +62,10 @@ void check_shapes(Case const& c, Errors& errors) {
                     "the case to x = 0",
                     k, fmt::join(c.shapes[k].centre, ", "));
     }
+    for (std::size_t k = 0; k < c.walls.size(); ++k)
+        if (c.walls[k].kind == "polygon" && c.walls[k].corners.size() < 6)
+            say(errors, "walls.{}.corners has {} corners: a polygon needs three or more", k,
+                c.walls[k].corners.size() / 2);
     double const expected = expected_particles<D>(c);
     for (std::size_t k = 0; k < c.shapes.size(); ++k)
         if (auto const half = half_extents<D>(c.shapes[k]); std::sqrt(norm2(half)) > 1e9 * dx)
@@ -69,6 +75,59 @@ void check_shapes(Case const& c, Errors& errors) {
             "particles.spacing = {} m would make about {:.1e} particles; at most {:.0e} are allowed: use a "
             "spacing above {:.2g} m",
             dx, expected, most_particles, dx * std::pow(expected / most_particles, 1.0 / D));
+}
+
+template <int D>
+void check_domain(Case const& c, Errors& errors) {
+    auto const box = periodic_box<D>(c);
+    double const dx = c.particles.spacing, thinnest = 2 * c.method.support * dx;
+    Lattice<D> const lattice(c);
+    for (int k = 0; k < D; ++k) {
+        if (!box.periodic[k]) continue;
+        Vector<double, D> across;
+        across[k] = box.size[k];
+        if (box.size[k] < thinnest)
+            say(errors,
+                "domain.size = [{}] is thinner along {} than twice the kernel's radius, {:.4g} m: a particle would "
+                "meet images of itself; make it wider",
+                fmt::join(c.domain.size, ", "), "xyz"[k], thinnest);
+        else if (!lattice.repeats_after(across))
+            say(errors,
+                "domain.size = [{}] does not hold whole cells of the lattice along {} at particles.spacing = {} m: "
+                "there would be a seam",
+                fmt::join(c.domain.size, ", "), "xyz"[k], dx);
+    }
+    auto const implicit_with = [&](std::string const& key, std::string const& found, std::string const& only) {
+        if (c.method.scheme == "weakly-compressible" && c.method.viscous_step == "implicit" && found != only)
+            say(errors, "method.viscous_step = 'implicit' goes with {} = '{}' in this scheme, not '{}'", key, only,
+                found);
+    };
+    implicit_with("method.viscous_force", c.method.viscous_force, "morris");
+    implicit_with("method.gradient", c.method.gradient, "sph");
+    implicit_with("time.stepping", c.time.stepping, "predictor-corrector");
+    Rheology const law = rheology_of(c);
+    bool const inviscid = law.model == Rheology::Model::newtonian && law.viscosity == 0;
+    if (!c.walls.empty() && c.method.scheme == "weakly-compressible" && !inviscid && c.method.viscous_force != "morris")
+        say(errors,
+            "a wall is not for method.viscous_force = '{}': use 'morris', which sees the motions that a stress at "
+            "walls "
+            "sets off",
+            c.method.viscous_force);
+    bool const closed = box.any() || !c.walls.empty();
+    std::string const what = c.walls.empty() ? "domain.periodic" : "a wall";
+    if (closed && c.method.scheme == "projection")
+        say(errors, "{} is not for method.scheme = 'projection': use 'weakly-compressible'", what);
+    if (closed && c.method.gradient == "cph")
+        say(errors, "{} is not for method.gradient = 'cph': use 'fpm' or 'sph'", what);
+    if (closed && c.method.gradient == "fpm" && c.method.viscous_force == "morris")
+        say(errors, "{} is not for method.viscous_force = 'morris' with method.gradient = 'fpm': use 'sph'", what);
+    if (closed && c.time.stepping == "symplectic-euler")
+        say(errors, "{} is not for time.stepping = 'symplectic-euler': use 'predictor-corrector'", what);
+    if (closed && c.method.shifting != "none")
+        say(errors, "{} is not for method.shifting = '{}': use 'none'", what, c.method.shifting);
+    if (closed && c.fluid.surface_tension > 0)
+        say(errors, "{} is not for a liquid with fluid.surface_tension = {} N/m: set it to 0", what,
+            c.fluid.surface_tension);
 }
 
 template <int D>
@@ -92,18 +151,43 @@ void check_probes(Case const& c, Errors& errors) {
             if (!(value(axis) > 0 && std::isfinite(value(axis))))
                 say(errors, "probes.{}.semi_axes = [{}] must be finite and above 0 m", k,
                     fmt::join(probe.semi_axes, ", "));
-        if (probe.kind == "patch" && !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
+        if (probe.kind == "hydrostatic" && !(value(probe.depth) > 0 && std::isfinite(value(probe.depth))))
+            say(errors, "probes.{}.depth = {} must be finite and above 0 m", k, probe.depth);
+        if (probe.kind == "hydrostatic" &&
+            std::all_of(c.fluid.gravity.begin(), c.fluid.gravity.end(), [](double g) { return g == 0; }))
+            say(errors, "probes.{}: liquid at rest wants fluid.gravity", k);
+        if (probe.kind == "cavity" && !(c.fluid.rheology == "newtonian" && c.fluid.viscosity > 0))
+            say(errors, "probes.{}: a cavity needs a Newtonian liquid of a viscosity above 0 Pa s", k);
+        if (probe.kind == "cavity" && !(value(probe.upper_velocity) > 0))
+            say(errors, "probes.{}.upper_velocity = {} must be above 0 m/s", k, probe.upper_velocity);
+        if ((probe.kind == "patch" || probe.kind == "cavity") &&
+            !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
             say(errors, "probes.{}.side = {} must be finite and above 0 m", k, probe.side);
+        if (probe.kind == "channel") {
+            if (!(value(probe.gap) > 0 && std::isfinite(value(probe.gap))))
+                say(errors, "probes.{}.gap = {} must be finite and above 0 m", k, probe.gap);
+            if (probe.flow == "from-rest" && c.fluid.rheology != "newtonian")
+                say(errors,
+                    "probes.{}.flow = 'from-rest' is known for fluid.rheology = 'newtonian' only, not '{}': use "
+                    "'steady'",
+                    k, c.fluid.rheology);
+            if (rheology_of(c).model == Rheology::Model::newtonian && rheology_of(c).viscosity == 0)
+                say(errors, "probes.{}: a channel needs a viscous liquid, but fluid.viscosity is 0 Pa s", k);
+        }
         if (probe.kind == "mode" && c.fluid.surface_tension == 0)
             say(errors, "probes.{}: a mode oscillates by surface tension, but fluid.surface_tension is 0 N/m: set it",
                 k);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
+    auto const has_profile = [](ProbeKeys const& probe) { return probe.kind == "channel" || probe.kind == "cavity"; };
+    if (c.time.settled > 0 && std::none_of(c.probes.begin(), c.probes.end(), has_profile))
+        say(errors, "time.settled = {} wants a probe with a profile, of kind channel or cavity", c.time.settled);
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());
-    for (char const* const reading : {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations"})
+    for (char const* const reading : {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations",
+                                      "wall_force_x", "wall_force_y", "wall_force_z"})
         columns.insert(reading);  // of the schemes
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
@@ -121,7 +205,7 @@ void check_initial_state(Case const& c, Errors& errors) {
             c.particles.spacing);
         return;
     }
-    auto const state = initial_state(c, seeds);
+    auto const state = initial_state(c, seeds, WallSeeds<D>{});
     double const fastest = std::sqrt(state.fastest2);
     if (!std::isfinite(fastest))
         say(errors, "initial.velocity = [{}] is not finite at every particle", fmt::join(c.initial.velocity, ", "));
@@ -151,8 +235,7 @@ void check_step(Case const& c, double sound, Errors& errors) {
         std::string formula, more;
     };
     double const dx = c.particles.spacing, h = c.method.support * dx / 3;
-    bool const projection = c.method.scheme == "projection";
-    bool const implicit = projection && c.method.viscous_step == "implicit";
+    bool const implicit = c.method.viscous_step == "implicit";
     double const thickest = implicit ? 0 : rheology_of(c).largest_viscosity();
     std::string const length = fmt::format("h, a third of the kernel's radius, is {:.3g} m", h);
     Limit least{sound, 0.25, "h/c", length};
@@ -166,7 +249,7 @@ void check_step(Case const& c, double sound, Errors& errors) {
         say(errors,
             "time.step = {} s is beyond the largest stable step, {} = {:.3g} s ({}): use 'auto' or at most {:.3g} s{}",
             c.time.step, least.formula, least.step, least.more, least.safe * least.step,
-            least.formula == "h^2/nu" && projection ? ", or method.viscous_step = 'implicit'" : "");
+            least.formula == "h^2/nu" ? ", or method.viscous_step = 'implicit'" : "");
 }
 
 void check_times(Case const& c, Errors& errors) {
@@ -213,9 +296,10 @@ void check(Case const& c, Errors& errors) {
     if (c.method.viscous_force == "morris" && c.method.gradient == "cph")
         say(errors,
             "method.viscous_force = 'morris' goes with method.gradient = 'sph' or 'fpm', not 'cph': use 'stress'");
-    if (c.method.viscous_force == "morris" && c.fluid.rheology != "newtonian")
+    if (c.method.viscous_force == "morris" && c.method.gradient == "fpm" && c.fluid.rheology != "newtonian")
         say(errors,
-            "method.viscous_force = 'morris' goes with fluid.rheology = 'newtonian' only, not '{}': use 'stress'",
+            "method.viscous_force = 'morris' with method.gradient = 'fpm' goes with fluid.rheology = 'newtonian' only, "
+            "not '{}': use 'stress', or 'sph'",
             c.fluid.rheology);
     double const radius = c.method.support * c.particles.spacing;
     if (c.method.precision == "mixed" && (radius < least_mixed_radius || radius > 1 / least_mixed_radius))
@@ -269,6 +353,7 @@ void check(Case const& c, Errors& errors) {
     check_names(c, errors);
     check_rheology(c, errors);
     check_times(c, errors);
+    check_domain<D>(c, errors);
     check_probes<D>(c, errors);
     Errors impossible;  // to fill with particles
     check_shapes<D>(c, impossible);

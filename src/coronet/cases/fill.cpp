@@ -2,51 +2,15 @@
 #include "coronet/cases/fill.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "coronet/cases/shapes.hpp"
+#include "coronet/cases/lattice.hpp"
+#include "coronet/cases/wall_fill.hpp"
 
 namespace coronet {
 
 namespace {
-
-template <int D>
-struct Lattice {
-    Matrix<double, D> basis;  // columns, in spacings
-    double cell;              // volume of a cell, in spacings^D
-    std::vector<std::array<int, D>> nearest;
-};
-
-template <int D>
-Lattice<D> lattice(std::string const& kind) {
-    Lattice<D> l;
-    auto const add = [&](std::array<int, D> n) {
-        l.nearest.push_back(n);
-        for (int& k : n) k = -k;
-        l.nearest.push_back(n);
-    };
-    for (int k = 0; k < D; ++k) {
-        std::array<int, D> n{};
-        n[k] = 1;
-        add(n);
-    }
-    if (kind == "square") {
-        l.basis = identity<double, D>();
-    } else if constexpr (D == 2) {
-        l.basis = {{1, 0.5, 0, std::sqrt(0.75)}};
-        add({1, -1});
-    } else {
-        double const s = std::sqrt(0.5);  // face-centred cubic: (1,1,0), (1,0,1), (0,1,1) over the root of two
-        l.basis = {{s, s, 0, s, 0, s, 0, s, s}};
-        add({1, -1, 0});
-        add({1, 0, -1});
-        add({0, 1, -1});
-    }
-    l.cell = std::fabs(determinant(l.basis));
-    return l;
-}
 
 /// A number in [0, 1) that depends on the three integers alone (splitmix64), so it is the same everywhere.
 double random(std::uint64_t seed, std::uint64_t particle, std::uint64_t axis) {
@@ -64,7 +28,7 @@ double random(std::uint64_t seed, std::uint64_t particle, std::uint64_t axis) {
 
 template <int D>
 double expected_particles(Case const& c) {
-    double const cell = lattice<D>(c.particles.lattice).cell * std::pow(c.particles.spacing, D);
+    double const cell = Lattice<D>(c).volume();
     double count = 0;
     for (Shape const& shape : c.shapes) {
         auto const half = half_extents<D>(shape);
@@ -78,25 +42,23 @@ double expected_particles(Case const& c) {
 template <int D>
 Seeds<D> fill(Case const& c) {
     double const dx = c.particles.spacing, slack = 1e-9 * dx;
-    auto const l = lattice<D>(c.particles.lattice);
-    double const offset = c.particles.origin == "cell" ? 0.5 : 0;
-    auto const place = [&](std::array<int, D> const& n) {
-        Vector<double, D> in_cells;
-        for (int k = 0; k < D; ++k) in_cells[k] = n[k] + offset;
-        return turned(dx * (l.basis * in_cells), c.particles.rotation);
-    };
+    Lattice<D> const lattice(c);
+    Solid<D> const solid(c);
+    auto const box = periodic_box<D>(c);
     auto const inside = [&](Vector<double, D> const& x) {
         return std::any_of(c.shapes.begin(), c.shapes.end(), [&](Shape const& s) { return holds(s, x, slack); });
     };
 
     Seeds<D> seeds;
-    seeds.volume = l.cell * std::pow(dx, D);
-    auto const lay = [&](std::array<int, D> const& n, Vector<double, D> x) {
-        bool const surface = std::any_of(l.nearest.begin(), l.nearest.end(), [&](std::array<int, D> const& step) {
+    seeds.volume = lattice.volume();
+    auto const lay = [&](auto const& n, Vector<double, D> x) {
+        auto const is_open = [&](auto const& step) {
             auto beside = n;
             for (int k = 0; k < D; ++k) beside[k] += step[k];
-            return !inside(place(beside));
-        });
+            auto const there = lattice.place(beside);
+            return !inside(there + box.shift_into(there)) && !solid.holds(there);
+        };
+        bool const surface = std::any_of(lattice.nearest().begin(), lattice.nearest().end(), is_open);
         auto const seed = static_cast<std::uint64_t>(c.particles.seed);
         for (int k = 0; k < D; ++k)
             x[k] += c.particles.jitter * dx * (2 * random(seed, seeds.size(), static_cast<std::uint64_t>(k)) - 1);
@@ -105,33 +67,19 @@ Seeds<D> fill(Case const& c) {
     };
 
     // Shape after shape; a point that an earlier shape holds, too, has its particle already.
-    auto const inverse = (1 / determinant(l.basis)) * adjugate(l.basis);
     for (Shape const& shape : c.shapes) {
         Vector<double, D> centre;
         for (int k = 0; k < D; ++k) centre[k] = shape.centre[k];
-        auto const middle = inverse * turned((1 / dx) * centre, -c.particles.rotation);
-        std::array<int, D> low, high;
-        for (int k = 0; k < D; ++k) {
-            Vector<double, D> row;  // of the inverse basis: the direction in which the lattice index k grows
-            for (int m = 0; m < D; ++m) row[m] = inverse(k, m);
-            double const half = extent(shape, turned(row, c.particles.rotation - shape.rotation)) / dx + 2;
-            low[k] = static_cast<int>(std::floor(middle[k] - half));
-            high[k] = static_cast<int>(std::ceil(middle[k] + half));
-        }
         auto const new_here = [&](Vector<double, D> const& x) {
             return holds(shape, x, slack) && std::none_of(c.shapes.data(), &shape, [&](Shape const& earlier) {
                        return holds(earlier, x, slack);
                    });
         };
-        std::array<int, D> n = low;
-        for (bool more = true; more;) {
-            if (auto const x = place(n); new_here(x)) lay(n, x);
-            more = false;
-            for (int k = 0; k < D && !more; ++k) {
-                more = ++n[k] <= high[k];
-                if (!more) n[k] = low[k];
-            }
-        }
+        lattice.for_points(
+            centre, [&](Vector<double, D> const& g) { return extent(shape, turned(g, -shape.rotation)); },
+            [&](auto const& n, Vector<double, D> const& x) {
+                if (new_here(x) && is_in(box, x, slack) && !solid.holds(x)) lay(n, x);
+            });
     }
     return seeds;
 }

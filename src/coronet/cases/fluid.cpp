@@ -67,6 +67,8 @@ void describe_rheology(Keys& keys, Case& c, Rheology const& preset) {
         bool const fitted = parameter.physical && !f.flow_curve.empty();
         bool const newtonian = parameter.value == &Rheology::viscosity;
         if (!fitted && (newtonian || model == preset.model)) fill(value, preset.*parameter.value);
+        if (!fitted && newtonian && c.flow.reynolds > 0)
+            fill(value, f.density * c.flow.speed * c.flow.length / c.flow.reynolds);
         if (!fitted && newtonian) fill(value, 0);
         keys.number({.path = "fluid." + parameter.name,
                      .unit = parameter.unit,
@@ -81,7 +83,24 @@ void describe_rheology(Keys& keys, Case& c, Rheology const& preset) {
 
 }  // namespace
 
+namespace {
+
+/// What is stated of the flow instead of the viscosity of a Newtonian liquid.
+void describe_flow(Keys& keys, Case& c) {
+    keys.number({.path = "flow.reynolds",
+                 .unit = "-",
+                 .meaning = "density times speed times length over viscosity: where it is above 0 and the viscosity of "
+                            "a Newtonian liquid is not stated, it follows from this",
+                 .at_least = 0},
+                c.flow.reynolds);
+    keys.number({.path = "flow.speed", .unit = "m/s", .meaning = "of the Reynolds number", .above = 0}, c.flow.speed);
+    keys.number({.path = "flow.length", .unit = "m", .meaning = "of the Reynolds number", .above = 0}, c.flow.length);
+}
+
+}  // namespace
+
 void describe_fluid(Keys& keys, Case& c) {
+    describe_flow(keys, c);
     auto& f = c.fluid;
     Liquid const preset = describe_preset(keys, c);
     fill(f.density, preset.density);

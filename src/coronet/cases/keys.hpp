@@ -36,6 +36,7 @@ public:
     virtual void flag(Key const& key, bool& value) = 0;
     /// A number, or the word `automatic`, which stands for 0.
     virtual void number_or(Key const& key, double& value, std::string const& automatic) = 0;
+    static constexpr int any_even_size = -2;
     /// `size` numbers.
     virtual void numbers(Key const& key, std::vector<double>& values, int size) = 0;
     /// A formula (or number) of x, y, z, t and the case's parameters.

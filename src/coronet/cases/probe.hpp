@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "coronet/cases/profile.hpp"
 #include "coronet/cases/snapshot.hpp"
 
 namespace coronet {
@@ -30,6 +31,8 @@ public:
     /// One number per column. Called in the order of time, first at t = 0.
     virtual std::vector<double> sample(Snapshot<D> const& now) = 0;
     virtual std::vector<Measure> measures() const { return {}; }
+    /// Of the last sample; always the same ones.
+    virtual std::vector<Profile> profiles() const { return {}; }
 };
 
 /// The case must outlive its probes.

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <type_traits>
 
+#include "coronet/cases/cavity_probe.hpp"
+#include "coronet/cases/channel_probe.hpp"
 #include "coronet/cases/drop_probe.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/hydrostatic_probe.hpp"
 #include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/patch_probe.hpp"
 #include "coronet/cases/point_value.hpp"
@@ -157,6 +160,9 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "value") probes.push_back(std::make_unique<ValueProbe<D>>(keys, c));
         if (keys.kind == "angular-momentum") probes.push_back(std::make_unique<AngularMomentumProbe<D>>(c));
         if (keys.kind == "stretching") probes.push_back(std::make_unique<StretchingProbe<D>>(keys, c));
+        if (keys.kind == "cavity") probes.push_back(std::make_unique<CavityProbe<D>>(keys, c));
+        if (keys.kind == "hydrostatic") probes.push_back(std::make_unique<HydrostaticProbe<D>>(keys, c));
+        if (keys.kind == "channel") probes.push_back(std::make_unique<ChannelProbe<D>>(keys, c));
         if constexpr (D == 2) {
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
             if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe>(c));

@@ -118,8 +118,11 @@ public:
         auto* node = want(key);
         if (!node) return;
         auto* array = node->as_array();
-        if (!array || array->size() != static_cast<std::size_t>(size))
-            return wrong(key, *node, fmt::format("must be a list of {} numbers{}", size, unit(key)));
+        bool const even = size == any_even_size;
+        if (!array || (even ? array->size() % 2 != 0 : array->size() != static_cast<std::size_t>(size)))
+            return wrong(
+                key, *node,
+                fmt::format("must be a list of {} numbers{}", even ? "pairs of" : std::to_string(size), unit(key)));
         std::vector<double> read(array->size());
         for (std::size_t k = 0; k < array->size(); ++k)
             if (!read_number(key, *array->get(k), read[k])) return;
@@ -369,14 +372,14 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
 }
 
 Case load_case(std::string const& name_or_path, std::vector<std::string> const& settings) {
-    for (BuiltinCase const& known : builtin_cases())
+    for (BuiltinFile const& known : builtin_cases())
         if (known.name == name_or_path)
             return read_case(known.text, fmt::format("built-in case {}", known.name), settings);
 
     std::ifstream file(name_or_path);
     if (!file || std::filesystem::is_directory(name_or_path)) {
         std::vector<std::string> names;
-        for (BuiltinCase const& known : builtin_cases()) names.emplace_back(known.name);
+        for (BuiltinFile const& known : builtin_cases()) names.emplace_back(known.name);
         std::string const near = nearest(name_or_path, names);
         throw CaseError(
             fmt::format("there is no file '{}' that can be read and no built-in case of that name{}; built in are {}",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "coronet/cases/boundaries.hpp"
 #include "coronet/cases/case.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/kernels/kernel.hpp"
@@ -90,6 +91,7 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
     if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode"});
+    kinds.insert(kinds.end(), {"channel", "cavity", "hydrostatic"});
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
     if (wants("value")) {
         keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
@@ -109,12 +111,32 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
         keys.formulas({.path = path + ".semi_axes", .unit = "m", .meaning = "of the initial drop"}, probe.semi_axes,
                       dimension);
     }
+    if (wants("patch") || wants("cavity"))
+        keys.formula({.path = path + ".side", .unit = "m", .meaning = "of the initial square, or of the cavity"},
+                     probe.side);
     if (wants("patch")) {
-        keys.formula({.path = path + ".side", .unit = "m", .meaning = "of the initial square"}, probe.side);
         keys.formula(
             {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
             probe.angular_velocity);
     }
+    if (wants("cavity") || wants("channel"))
+        keys.formula({.path = path + ".upper_velocity",
+                      .unit = "m/s",
+                      .meaning = "of the upper plate of a channel or the lid of a cavity, along x"},
+                     probe.upper_velocity);
+    if (wants("channel")) {
+        keys.choice({.path = path + ".flow", .meaning = "what the exact flow is: steady, or from rest at t = 0"},
+                    probe.flow, {"steady", "from-rest"});
+        keys.formula({.path = path + ".gap",
+                      .unit = "m",
+                      .meaning = "between plates at y = -gap/2 and gap/2; gravity and body force drive along x"},
+                     probe.gap);
+        keys.formula({.path = path + ".lower_velocity", .unit = "m/s", .meaning = "of the lower plate, along x"},
+                     probe.lower_velocity);
+    }
+    if (wants("hydrostatic"))
+        keys.formula({.path = path + ".depth", .unit = "m", .meaning = "of the liquid at rest, along gravity"},
+                     probe.depth);
     if (wants("mode"))
         keys.integer({.path = path + ".mode",
                       .unit = "-",
@@ -152,10 +174,11 @@ void describe_shifting(Keys& keys, Case& c) {
 /// Shown for every scheme, so that a case can change its scheme by one key.
 void describe_projection(Keys& keys, Case& c) {
     auto& m = c.method;
-    keys.choice({.path = "method.viscous_step",
-                 .meaning = "of the projection: explicit, whose length viscosity limits; or implicit, of any length, "
-                            "for stiff liquids"},
-                m.viscous_step, {"explicit", "implicit"});
+    keys.choice(
+        {.path = "method.viscous_step",
+         .meaning = "explicit, whose length viscosity limits; or implicit, of any length, for stiff liquids: with the "
+                    "projection, or with viscous_force morris"},
+        m.viscous_step, {"explicit", "implicit"});
     keys.choice({.path = "method.pressure_operator",
                  .meaning = "consistent: force and divergence are each other's transpose, an exact projection; thesis: "
                             "Lobo (2011), an approximate one"},
@@ -244,6 +267,7 @@ void describe(Keys& keys, Case& c) {
         c.shapes.size(), [&](std::size_t n) { c.shapes.resize(n); },
         [&](std::size_t k, std::string const& path) { describe_shape(keys, c.shapes[k], path, D); });
     describe_drop(keys, c);
+    describe_boundaries(keys, c);
 
     auto& p = c.particles;
     keys.number({.path = "particles.spacing",
@@ -327,6 +351,14 @@ void describe(Keys& keys, Case& c) {
          .above = 0,
          .at_most = 1},
         c.time.courant);
+    keys.number(
+        {.path = "time.settled",
+         .unit = "-",
+         .meaning = "end before time.end once no profile differs from that at 4/5 of the time by more than this "
+                    "share of its root mean square; 0: never",
+         .at_least = 0,
+         .at_most = 0.1},
+        c.time.settled);
     keys.choice(
         {.path = "time.stepping",
          .meaning = "predictor-corrector: two evaluations a step; symplectic-euler: one, density, then velocity, "

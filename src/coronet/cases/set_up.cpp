@@ -6,6 +6,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/wall_fill.hpp"
 #include "coronet/schemes/incompressible.hpp"
 #include "coronet/schemes/weakly_compressible.hpp"
 
@@ -21,14 +22,35 @@ std::vector<Formula> formulas(std::vector<std::string> const& texts, Case const&
 
 /// The case's body force as the scheme wants it; empty where the case has none.
 template <int D>
-std::function<void(double, View<D> const&, std::size_t)> body_force(Case const& c) {
+std::function<void(double, View<D> const&, std::size_t, std::size_t)> body_force(Case const& c) {
     auto const zero = [](std::string const& text) { return text == "0"; };
     if (std::all_of(c.fluid.body_force.begin(), c.fluid.body_force.end(), zero)) return {};
     auto force = std::make_shared<std::vector<Formula>>(formulas(c.fluid.body_force, c));
-    return [force](double time, View<D> const& view, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
+    return [force](double time, View<D> const& view, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
             auto const x = view.template get<Position>(i);
             for (int k = 0; k < D; ++k) view.template at<Acceleration>(k)[i] += (*force)[k](x, time);
+        }
+    };
+}
+
+/// The velocity of the walls' surfaces, by the identity of wall particles; empty where all are at rest.
+template <int D>
+std::function<void(double, Particles<D>&)> wall_motion(Case const& c, std::vector<std::size_t> wall) {
+    auto const rests = [](Wall const& w) {
+        return std::all_of(w.surface_velocity.begin(), w.surface_velocity.end(),
+                           [](std::string const& text) { return text == "0"; });
+    };
+    if (std::all_of(c.walls.begin(), c.walls.end(), rests)) return {};
+    auto velocity = std::make_shared<std::vector<std::vector<Formula>>>();
+    for (Wall const& w : c.walls) velocity->push_back(formulas(w.surface_velocity, c));
+    return [velocity, wall](double time, Particles<D>& particles) {
+        auto const view = particles.view();
+        std::size_t const first = particles.begin(Role::wall);
+        for (std::size_t i = first; i < particles.end(Role::wall); ++i) {
+            auto const on_surface = view.template get<Position>(i) + 0.5 * view.template get<ToMirror>(i);
+            auto& formula = (*velocity)[wall[static_cast<std::size_t>(particles.id[i]) - first]];
+            for (int k = 0; k < D; ++k) view.template at<WallVelocity>(k)[i] = formula[k](on_surface, time);
         }
     };
 }
@@ -41,8 +63,8 @@ EquationOfState equation_of_state(Case const& c) {
 }
 
 template <int D>
-InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
-    InitialState<D> state{Particles<D>(seeds.size())};
+InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D> const& walls) {
+    InitialState<D> state{Particles<D>(seeds.size(), walls.size())};
     state.particles.allocate(Fields<Position, Velocity, Density, Mass, Surface>{});
     auto const view = state.particles.view();
     auto const eos = equation_of_state(c);
@@ -60,6 +82,16 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds) {
         view.template set<Mass>(i, rho * seeds.volume);
         view.template set<Surface>(i, seeds.surface[i]);
         state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
+    }
+    if (walls.size() > 0) state.particles.allocate(Fields<WallVelocity, ToMirror, Slip>{});
+    auto const with_walls = state.particles.view();
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+        std::size_t const w = state.particles.begin(Role::wall) + k, mirror = state.particles.begin(Role::mirror) + k;
+        with_walls.template set<Position>(w, walls.position[k]);
+        with_walls.template set<Position>(mirror, walls.position[k] + walls.to_mirror[k]);
+        with_walls.template set<ToMirror>(w, walls.to_mirror[k]);
+        with_walls.template set<Slip>(w, c.walls[walls.wall[k]].slip == "free");
+        with_walls.template set<Mass>(w, c.fluid.density * seeds.volume);
     }
     auto const mean =
         (1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1))) *
@@ -123,7 +155,13 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.surface = surface_settings(c);
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
-    return std::make_unique<WeaklyCompressible<D>>(s, initial_state(c, fill<D>(c)).particles);
+    auto const walls = fill_walls<D>(c);
+    s.box = periodic_box<D>(c);
+    s.lattice_slope_moment = lattice_slope_moment<D>(c, s.kernel);
+    s.implicit_viscosity = c.method.viscous_step == "implicit";
+    s.solve = {c.method.tolerance, c.method.most_iterations};
+    s.wall_motion = wall_motion<D>(c, walls.wall);
+    return std::make_unique<WeaklyCompressible<D>>(s, initial_state(c, fill<D>(c), walls).particles);
 }
 
 template <int D>
@@ -154,7 +192,7 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.courant = c.time.courant;
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
-    return std::make_unique<Scheme>(s, initial_state(c, fill<D>(c)).particles);
+    return std::make_unique<Scheme>(s, initial_state(c, fill<D>(c), {}).particles);
 }
 
 }  // namespace
@@ -164,8 +202,8 @@ std::unique_ptr<Scheme<D>> make_scheme(Case const& c) {
     return c.method.scheme == "projection" ? incompressible<D>(c) : weakly_compressible<D>(c);
 }
 
-template InitialState<2> initial_state(Case const&, Seeds<2> const&);
-template InitialState<3> initial_state(Case const&, Seeds<3> const&);
+template InitialState<2> initial_state(Case const&, Seeds<2> const&, WallSeeds<2> const&);
+template InitialState<3> initial_state(Case const&, Seeds<3> const&, WallSeeds<3> const&);
 template std::unique_ptr<Scheme<2>> make_scheme(Case const&);
 template std::unique_ptr<Scheme<3>> make_scheme(Case const&);
 

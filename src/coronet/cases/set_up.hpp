@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "coronet/cases/fill.hpp"
+#include "coronet/cases/wall_fill.hpp"
 #include "coronet/materials/equation_of_state.hpp"
 #include "coronet/schemes/scheme.hpp"
 
@@ -20,9 +21,10 @@ struct InitialState {
     bool density_is_possible = true;  ///< finite and positive everywhere
 };
 
-/// Particles with position, velocity, density from the initial pressure, mass (density times lattice volume), surface.
+/// Particles with position, velocity, density from the initial pressure, mass (density times lattice volume), surface;
+/// and walls.
 template <int D>
-InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds);
+InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D> const& walls);
 
 template <int D>
 std::unique_ptr<Scheme<D>> make_scheme(Case const& c);

@@ -48,6 +48,10 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(SlopeMoment, G1, symmetric, "-", "sum V grad W (x_j - x_i)")                                           \
     X(VelocityJump, v_jump, vector, "m/s", "sum V (v_j - v_i) W")                                            \
     X(VelocitySlope, v_slope, matrix, "1/s", "sum V (v_j - v_i) grad W: the plain SPH velocity gradient")    \
+    X(PressureJump, p_jump, scalar, "Pa", "sum V (p_j - p_i) W")                                             \
+    X(WallVelocity, v_wall, vector, "m/s", "of the wall's surface, at a wall particle")                      \
+    X(ToMirror, to_mirror, vector, "m", "from a wall particle to its mirror image in the liquid")            \
+    X(Slip, slip, scalar, "-", "1 at a wall particle behind a wall that liquid slips along, else 0")         \
     X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                 \
     X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
     X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \

@@ -56,6 +56,7 @@ template <int D>
 bool Neighbours<D>::update(Particles<D>& particles) {
     // Looking twice at the same positions is no motion: how often someone looks must not steer the skin.
     double const before = spread_;
+    images_.refresh(particles, Fields<Position>{});
     bool const valid = still_valid(particles);
     updates_ += spread_ != before;
     if (valid) return false;
@@ -90,7 +91,7 @@ double Neighbours<D>::Displacements::spread() const {
 
 template <int D>
 bool Neighbours<D>::still_valid(Particles<D> const& particles) {
-    if (count_.size() != particles.size() || listings_ == 0) return false;
+    if (listed_[0].size() != particles.size() || listings_ == 0) return false;
     auto const view = particles.view();
     auto const blocks = grid_.pairs_of_cells();
     auto const place_of = [&](std::size_t b) {
@@ -153,9 +154,10 @@ template <int D>
 void Neighbours<D>::list(Particles<D>& particles) {
     double const reach = support_ + skin_;
     for (auto& chunk : chunks_) chunk = {};  // the old rows are of no use: their memory is
-    grid_.sort(particles, reach);
+    images_.remake(particles, reach);
+    images_.follow(particles, grid_.sort(particles, reach));
 
-    std::size_t const n = particles.size();
+    std::size_t const n = particles.size(), rows_end = particles.end(Role::mirror);
     auto const view = particles.view();
 
     // The unit makes coordinates repeat after 64 cells, so that nothing in the cells around is taken for near. Lists
@@ -181,18 +183,23 @@ void Neighbours<D>::list(Particles<D>& particles) {
 
     // Two displacements are each off by half a unit in the last place of a float along every axis.
     rounding_ = 0x1p-23 * std::sqrt(D) * grid_.extent();
-    first_.resize(n);
-    count_.resize(n);
-    chunks_.resize((n + particles_per_chunk - 1) / particles_per_chunk);
+    first_.resize(rows_end);
+    count_.resize(rows_end);
+    chunks_.resize((rows_end + particles_per_chunk - 1) / particles_per_chunk);
     for_blocks(chunks_.size(), [&](std::size_t c) {
         auto& chunk = chunks_[c];
-        std::size_t const begin = c * particles_per_chunk, end = std::min(n, begin + particles_per_chunk);
+        std::size_t const begin = c * particles_per_chunk, end = std::min(rows_end, begin + particles_per_chunk);
         thread_local std::vector<Index> rows;
         std::size_t used = 0;
         for (std::size_t i = begin; i < end; ++i) {
             std::size_t const start = used;
             auto const x = view.template get<Position>(i);
-            grid_.for_rows_around(x, [&](Range range) {
+            Role const own = particles.role(i);
+            auto const wanted = [&](Role role) {
+                if (own == Role::mirror) return role == Role::liquid || role == Role::liquid_image;
+                return own == Role::liquid && role != Role::mirror;
+            };
+            grid_.for_rows_around(x, wanted, [&](Range range) {
                 std::size_t const room = used + static_cast<std::size_t>(range.last - range.first) + pack_size<float>;
                 if (rows.size() < room) rows.resize(room + room / 4);
                 Index* const end_of_row = scan.append_near(range, static_cast<Index>(i), rows.data() + used);
@@ -218,7 +225,8 @@ void Neighbours<D>::list(Particles<D>& particles) {
     });
 
     all_ = {};
-    cut(all_, n);
+    cut(all_, particles.owned());
+    mirrors_ = targets(particles.begin(Role::mirror), rows_end, [](std::size_t) { return true; });
 }
 
 template <int D>

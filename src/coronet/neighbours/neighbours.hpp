@@ -14,13 +14,15 @@
 // tuned follows this at every listing, with the w that it saw since the last; it depends on the motion alone, not on a
 // clock, so results stay the same from run to run.
 //
-// Rows hold each pair twice (j in the row of i, i in the row of j): every particle gathers its own sums.
+// Rows hold each pair twice (j in the row of i, i in the row of j): every particle gathers its own sums. Liquid has all
+// others in its rows but mirrors, mirrors have liquid alone; wall particles and images have no rows.
 
 #include <ranges>
 #include <span>
 #include <vector>
 
 #include "coronet/neighbours/cell_grid.hpp"
+#include "coronet/neighbours/images.hpp"
 
 namespace coronet {
 
@@ -40,15 +42,15 @@ class Neighbours {
 public:
     /// support and skin in m. With a listing_cost (in evaluations) above zero the skin is only the first one, and
     /// tuned.
-    Neighbours(double support, double skin, double listing_cost = 0)
-        : support_(support), skin_(skin), listing_cost_(listing_cost) {}
+    Neighbours(double support, double skin, double listing_cost = 0, PeriodicBox<D> const& box = {})
+        : support_(support), skin_(skin), listing_cost_(listing_cost), images_(box) {}
 
     // Rows point into the lists: a copy would point into the original's.
     Neighbours(Neighbours const&) = delete;
     Neighbours& operator=(Neighbours const&) = delete;
 
     /// Lists the neighbours anew if the particles have moved too far for the old rows. Returns whether it did: then the
-    /// particles have been re-ordered.
+    /// particles have been re-ordered, and of their images Position alone is set.
     bool update(Particles<D>& particles);
 
     /// The neighbours of i as a sweep uses them: each is its number times `place`, where its group of four numbers
@@ -62,17 +64,16 @@ public:
     auto row(std::size_t i) const {
         return places(i) | std::views::transform([](Index at) { return at / place; });
     }
+    /// All that is advanced.
     Targets const& all() const { return all_; }
+    Targets const& mirrors() const { return mirrors_; }
 
-    /// Targets for the particles that `chosen` says; their blocks are cut by the same rule.
+    /// Targets for the particles among all() that `chosen` says; their blocks are cut by the same rule.
     template <class Chosen>
     Targets targets(Chosen const& chosen) const {
-        Targets some;
-        for (std::size_t i = 0; i < count_.size(); ++i)
-            if (chosen(i)) some.particles.push_back(static_cast<Index>(i));
-        if (!some.particles.empty()) cut(some, some.particles.size());
-        return some;
+        return targets(0, all_.begin.back(), chosen);
     }
+    Images<D> const& images() const { return images_; }
 
     double support() const { return support_; }
     double skin() const { return skin_; }
@@ -91,8 +92,17 @@ private:
     void tune();
     void list(Particles<D>& particles);
     void cut(Targets& targets, std::size_t count) const;
+    template <class Chosen>
+    Targets targets(std::size_t begin, std::size_t end, Chosen const& chosen) const {
+        Targets some;
+        for (std::size_t i = begin; i < end; ++i)
+            if (chosen(i)) some.particles.push_back(static_cast<Index>(i));
+        if (!some.particles.empty()) cut(some, some.particles.size());
+        return some;
+    }
 
     double support_, skin_, listing_cost_;
+    Images<D> images_;
     CellGrid<D> grid_;
     std::vector<std::vector<Index>> chunks_;  // the rows, chunk by chunk of particles
     static constexpr std::size_t particles_per_chunk = 256;
@@ -101,7 +111,7 @@ private:
     /// skin needs in any but a huge domain, where `rounding_` is taken off the skin.
     std::vector<float> listed_[D];
     double rounding_ = 0;  // [m]
-    Targets all_;
+    Targets all_, mirrors_;
     std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing that saw motion
     double spread_ = 0;                       // of displacements since then, among particles that can meet [m]
     std::vector<Displacements> displaced_;    // of each block of cells

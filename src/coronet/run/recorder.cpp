@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/run/recorder.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
@@ -24,9 +27,13 @@ std::vector<FrameField> frame_fields(Particles<D> const& particles) {
                                Exterior::number, FellBack::number,     Viscosity::number};
     constexpr std::array names{"velocity", "acceleration", "density",  "pressure",        "mass",     "volume",
                                "stress",   "surface",      "exterior", "singular_matrix", "viscosity"};
-    std::size_t const n = particles.owned();
+    std::size_t const n = particles.end(Role::wall);
     auto const view = particles.view();
     std::vector<FrameField> fields;
+    if (n > particles.owned()) {
+        fields.push_back({"wall", "-", 1, std::vector<double>(n, 1.0)});
+        std::fill_n(fields.back().values.begin(), particles.owned(), 0.0);
+    }
     for (std::size_t f = 0; f < shown.size(); ++f) {
         if (!particles.has(shown[f])) continue;
         FieldInfo const& info = field_info[static_cast<std::size_t>(shown[f])];
@@ -51,7 +58,11 @@ std::vector<FrameField> frame_fields(Particles<D> const& particles) {
 
 template <int D>
 Recorder<D>::Recorder(Case const& c, std::filesystem::path directory, Scheme<D>& scheme)
-    : case_(c), directory_(std::move(directory)), scheme_(scheme), probes_(make_probes<D>(c)) {
+    : case_(c),
+      directory_(std::move(directory)),
+      scheme_(scheme),
+      probes_(make_probes<D>(c)),
+      change_(std::numeric_limits<double>::infinity()) {
     auto columns = standard_columns(D);
     for (auto const& probe : probes_)
         for (std::string const& name : probe->columns()) columns.push_back(name);
@@ -82,7 +93,31 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
         }
         for (Reading const& reading : scheme_.readings()) row.push_back(reading.value);
         series_->row(row);
+        if (case_.time.settled > 0) {
+            std::vector<Profile> all;
+            for (auto const& probe : probes_)
+                for (Profile& profile : probe->profiles()) all.push_back(std::move(profile));
+            change_ = settling_.change(time, all);
+        }
     });
+}
+
+template <int D>
+bool Recorder<D>::settled() const {
+    return case_.time.settled > 0 && change_ <= case_.time.settled;
+}
+
+/// profiles.csv, where there are any.
+template <int D>
+void Recorder<D>::write_profiles() const {
+    std::string text = "profile,position,computed,reference\n";
+    bool any = false;
+    for (auto const& probe : probes_)
+        for (Profile const& profile : probe->profiles())
+            for (std::size_t k = 0; k < profile.computed.size(); ++k, any = true)
+                text += fmt::format("{},{},{},{}\n", profile.name, profile.position[k], profile.computed[k],
+                                    profile.reference.empty() ? "" : fmt::format("{}", profile.reference[k]));
+    if (any) write_whole(directory_ / "profiles.csv", text);
 }
 
 template <int D>
@@ -92,8 +127,12 @@ void Recorder<D>::frame(double time) {
         scheme_.refresh();
         auto const& particles = scheme_.particles();
         auto const view = particles.view();
-        Frame frame{time, std::vector<double>(3 * particles.owned()), particles.id, frame_fields(particles)};
-        for_each(particles.owned(), [&](std::size_t i) {
+        std::size_t const n = particles.end(Role::wall);
+        Frame frame{time,
+                    std::vector<double>(3 * n),
+                    {particles.id.begin(), particles.id.begin() + n},
+                    frame_fields(particles)};
+        for_each(n, [&](std::size_t i) {
             for (int k = 0; k < D; ++k) frame.points[3 * i + k] = view.template at<Position>(k)[i];
         });
         frames_->push(std::move(frame));
@@ -139,6 +178,7 @@ void Recorder<D>::summary(std::string const& status, std::string const& message,
     json["peak_rss_bytes"] = peak;
     json["bytes_per_particle"] = static_cast<double>(peak) / static_cast<double>(particles);
     json["status"] = status;
+    if (case_.time.settled > 0) json["profile_change"] = change_;
     if (!message.empty()) json["message"] = message;
     auto& measures = json["measures"] = nlohmann::ordered_json::object();
     for (auto const& probe : probes_)
@@ -150,6 +190,7 @@ void Recorder<D>::summary(std::string const& status, std::string const& message,
             if (m.standard_error) entry["standard_error"] = *m.standard_error;
             if (!m.source.empty()) entry["source"] = m.source;
         }
+    write_profiles();
     write_whole(directory_ / "summary.json", json.dump(2) + "\n");
 }
 

@@ -24,6 +24,8 @@ public:
 
     /// A row of the series. `step` counts from 0, `dt` is the last one taken.
     void sample(double time, std::int64_t step, double dt);
+    /// Whether all profiles have settled, as the case says; as of the last sample.
+    bool settled() const;
     /// A frame of now. Throws RunError where an earlier one could not be written.
     void frame(double time);
     /// Waits until all frames are on disk. Throws RunError where one could not be written.
@@ -32,10 +34,14 @@ public:
     void summary(std::string const& status, std::string const& message, std::int64_t steps, double wall_seconds);
 
 private:
+    void write_profiles() const;
+
     Case const& case_;
     std::filesystem::path directory_;
     Scheme<D>& scheme_;
     std::vector<std::unique_ptr<Probe<D>>> probes_;
+    Settling settling_;
+    double change_;  // of the profiles
     std::optional<Table> series_;
     std::optional<FrameWriter> frames_;
     Arrangement arrangement_;

@@ -28,8 +28,8 @@ void prepare(fs::path const& directory, bool overwrite) {
         throw CaseError(fmt::format("{} already holds a run: choose another --out, or give --overwrite to replace it",
                                     directory.string()));
     std::error_code failed;
-    for (char const* const name :
-         {"case.toml", "flow_curve.csv", "series.csv", "summary.json", "frames", "frames.vtkhdf.series", "figures"})
+    for (char const* const name : {"case.toml", "flow_curve.csv", "series.csv", "profiles.csv", "summary.json",
+                                   "frames", "frames.vtkhdf.series", "figures"})
         if (holds_run) fs::remove_all(directory / name, failed);
     fs::create_directories(directory / "frames", failed);
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
@@ -63,8 +63,9 @@ RunStatus run(Case const& c, RunOptions const& options) {
     try {
         while (true) {
             scheme->begin_step(time);  // before output, so that a frame has the rates of its own time
-            bool const last = time >= c.time.end || interrupted();
+            bool last = time >= c.time.end || interrupted();
             if (last || rows.due(time)) recorder.sample(time, steps, dt);
+            last = last || recorder.settled();
             if (last || frames.due(time)) recorder.frame(time);
             rows.done(time);
             frames.done(time);
@@ -98,7 +99,7 @@ RunStatus run(Case const& c, RunOptions const& options) {
         attempt([&] { finish("failed", message); });
         throw RunError(message);
     }
-    bool const stopped = time < c.time.end;
+    bool const stopped = time < c.time.end && !recorder.settled();
     finish(stopped ? "interrupted" : "done", "");
     return stopped ? RunStatus::interrupted : RunStatus::done;
 }

@@ -213,7 +213,8 @@ void Incompressible<D>::forces(double time) {
         else
             for_each(particles_.owned(), [&](std::size_t i) { view.template set<Acceleration>(i, settings_.gravity); });
     });
-    if (settings_.body_force) phases_.act("body force", [&] { settings_.body_force(time, view, particles_.owned()); });
+    if (settings_.body_force)
+        phases_.act("body force", [&] { settings_.body_force(time, view, 0, particles_.owned()); });
 }
 
 /// From v to v*.

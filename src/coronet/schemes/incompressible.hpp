@@ -61,8 +61,8 @@ public:
         double shift_range = 0;          ///< [m], of schemes/conserving_shift.hpp; 0: no shifting
         double courant = 0.25;           ///< safe factor on h/speed
         Vector<double, D> gravity = {};  ///< [m/s^2]
-        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
-        std::function<void(double, View<D> const&, std::size_t count)> body_force;
+        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration of [begin, end); empty: none.
+        std::function<void(double, View<D> const&, std::size_t begin, std::size_t end)> body_force;
     };
 
     /// Takes particles with Position, Velocity, Density, Mass set.

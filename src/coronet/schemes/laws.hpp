@@ -11,14 +11,18 @@
 #include "coronet/terms/moments.hpp"
 #include "coronet/terms/morris_viscosity.hpp"
 #include "coronet/terms/pressure_gradient.hpp"
+#include "coronet/terms/pressure_jump.hpp"
 #include "coronet/terms/stress_divergence.hpp"
 #include "coronet/terms/velocity_gradient.hpp"
+#include "coronet/terms/wall_continuity.hpp"
 
 namespace coronet {
 
 using PlainGradients = Sum<VelocitySlopes>;
 using PlainGradientsAndSums = Sum<KernelSums, VelocitySlopes>;
 using CorrectedGradients = Sum<Moments, VelocitySlopes, VelocityJumps>;
+using MirrorSums = Sum<Moments, VelocitySlopes, VelocityJumps, PressureJumps>;
+using WallCorrections = Sum<WallContinuity>;
 using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;
 using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;
@@ -27,6 +31,9 @@ using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, PairTerms>;
 // Plain gradients and a viscosity that needs no velocity gradient: everything in one sweep.
 using PlainSweep = Sum<PressureGradient, MorrisViscosity, Continuity>;
 using PlainSweepAndPairTerms = Sum<PressureGradient, MorrisViscosity, Continuity, PairTerms>;
+
+// The same with a viscosity that the shear rate has set before; pair terms may be idle.
+using PressureAndVariableMorris = Sum<PressureGradient, VariableMorrisViscosity, PairTerms>;
 
 // Corrected gradients and a viscosity between velocities; pair terms may be idle.
 using CorrectedPressureAndMorris = Sum<CorrectedPressureGradient, CorrectedMorrisViscosity, PairTerms>;

@@ -5,8 +5,8 @@
 // conjugate gradients from the pressure of before, v <- v + dt dv(p), A p = -V div(v)/dt
 // (schemes/pressure_operator.hpp).
 
-#include <cmath>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <utility>
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/arrangement.hpp"
 #include "coronet/schemes/check_state.hpp"
@@ -25,8 +27,11 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     : settings_(settings),
       particles_(std::move(particles)),
       neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
-                  settings.skin > 0 ? 0 : listing_cost),
+                  settings.skin > 0 ? 0 : listing_cost, settings.box),
+      walls_({settings.wall_motion, settings.body_force, settings.gravity, settings.equation_of_state, settings.liquid,
+              settings.kernel, settings.precision, settings.lattice_slope_moment}),
       shifting_(settings.shifting, settings.kernel, settings.precision) {
+    if (settings.implicit_viscosity) implicit_viscosity_.emplace(settings.kernel, settings.solve);
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;
@@ -38,7 +43,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     if (settings_.gradient == Gradient::cph) particles_.allocate(Fields<Surface, Exterior>{});
     update_state();
     auto const view = particles_.view();
-    for_each(particles_.size(), [&](std::size_t i) {  // what the first symplectic step is bounded by
+    for_each(particles_.owned(), [&](std::size_t i) {  // what the first symplectic step is bounded by
         view.template set<Acceleration>(i, settings_.gravity);
         if (!settings_.liquid.is_newtonian())
             view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
@@ -83,6 +88,7 @@ void WeaklyCompressible<D>::symplectic_step(double time, double step) {
 
 template <int D>
 void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
+    damp(0.5 * step);
     auto const view = particles_.view();
     phases_.act("predict", [&] {
         for_each(particles_.owned(), [&](std::size_t i) {
@@ -98,6 +104,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
         });
     });
     evaluate(time + 0.5 * step);
+    damp(step);
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     phases_.act("correct", [&] {
         bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
@@ -114,16 +121,66 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->apply(particles_, neighbours_, boundary_); });
 }
 
+/// Makes the accelerations fit for a step that viscosity does not limit.
+template <int D>
+void WeaklyCompressible<D>::damp(double step) {
+    if (!implicit_viscosity_) return;
+    phases_.act("viscous step", [&] {
+        auto const& liquid = settings_.liquid;
+        auto const mu = particles_.view().template at<Viscosity>();
+        viscous_solved_ = implicit_viscosity_->apply(particles_, neighbours_, step, [&](std::size_t i) {
+            return liquid.is_newtonian() ? liquid.rheology.viscosity : mu[i];
+        });
+    });
+    if (!viscous_solved_.converged)
+        throw RunError(fmt::format(
+            "the viscous step did not converge: after {} iterations the residual is {:.2g} of the right-hand side, and "
+            "{:.2g} is asked for (method.tolerance), with at most {} iterations (method.most_iterations)",
+            viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
+            settings_.solve.most_iterations));
+}
+
+template <int D>
+std::vector<Reading> WeaklyCompressible<D>::readings() const {
+    std::vector<Reading> list{{"singular_matrices", static_cast<double>(counters_.singular_now)}};
+    if (implicit_viscosity_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
+    constexpr char const* names[] = {"wall_force_x", "wall_force_y", "wall_force_z"};
+    if (particles_.count(Role::wall) > 0)
+        for (int k = 0; k < D; ++k) list.push_back({names[k], wall_force_[k]});
+    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
+    return list;
+}
+
+/// Between particles of liquid forces are opposite, so what is left of their sum came from the walls. Before body
+/// forces are added.
+template <int D>
+void WeaklyCompressible<D>::sum_wall_force() {
+    if (particles_.count(Role::wall) == 0) return;
+    auto const view = particles_.view();
+    wall_force_ = sum_over(particles_.owned(), Vector<double, D>{}, [&](std::size_t i) {
+        return view.template get<Mass>(i) * (settings_.gravity - view.template get<Acceleration>(i));
+    });
+}
+
 template <int D>
 void WeaklyCompressible<D>::evaluate(double time, double dt) {
-    phases_.act("neighbours", [&] { update_neighbours(); });
+    phases_.act("neighbours", [&] {
+        walls_.move(particles_, settings_.box, time);
+        update_neighbours();
+    });
     phases_.act("state", [&] { update_state(); });
+    if (particles_.size() > particles_.owned()) phases_.act("walls", [&] { update_surroundings(); });
     bool const on_boundary = settings_.surface.acts_on_boundary();
     if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
     // What pressure the density will have must be known before the forces: then one sweep is not enough.
     if (!one_sweep() || dt > 0) phases_.act("gradients", [&] { gradients_and_stress(dt); });
     if (one_sweep()) phases_.act("rates", [&] { rates_in_one_sweep(); });
     else phases_.act("forces", [&] { forces(); });
+    if (particles_.count(Role::wall) > 0)
+        phases_.act("walls", [&] {
+            walls_.add_to_density_rate(particles_, neighbours_);
+            sum_wall_force();
+        });
     if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
     else if (settings_.surface.tension > 0)
         phases_.act("surface", [&] {
@@ -131,7 +188,7 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
             add_tension(particles_, settings_.surface);
         });
     if (settings_.body_force)
-        phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), particles_.owned()); });
+        phases_.act("body force", [&] { settings_.body_force(time, particles_.view(), 0, particles_.owned()); });
     ++counters_.evaluations;
 }
 
@@ -139,67 +196,30 @@ template <int D>
 void WeaklyCompressible<D>::update_neighbours() {
     if (!neighbours_.update(particles_)) return;
     ++counters_.listings;
-    if (settings_.gradient == Gradient::cph) mark_zones();
-}
-
-/// The zones of the coupled method (Fang et al. 2009, section 3.5.3), by distance from the particles marked by Surface:
-/// those of the start, or, with surface tension, those found last. A particle is exterior if one of the surface lies in
-/// its support: there the gradient is corrected. Forces need it in the corrected form wherever an exterior particle may
-/// come into the support (`border`), and of all that may come into the supports of those (`near`); in the `deep`
-/// everything is plain. The zones hold until the next listing: meanwhile no pair comes nearer or parts by more than the
-/// skin, and whoever may come near is in the row.
-template <int D>
-void WeaklyCompressible<D>::mark_zones() {
-    enum Zone : char { deep, near, border, exterior };
-    std::size_t const n = particles_.owned();
-    auto const view = particles_.view();
-    auto const surface = particles_.template get<Surface>();
-    std::vector<Zone> zone(n, deep);
-    // The few that are not deep mark their neighbours: one after another, since two may mark the same.
-    auto const mark = [&](Zone as, auto const& from, auto const& reaches) {
-        for (std::size_t i = 0; i < n; ++i)
-            if (from(i))
-                for (Index const j : neighbours_.row(i)) {
-                    auto const k = static_cast<std::size_t>(j);
-                    if (zone[k] < as && reaches(i, k)) zone[k] = as;
-                }
-    };
-    double const H2 = neighbours_.support() * neighbours_.support();
-    auto const inside = [&](std::size_t i, std::size_t j) {
-        return norm2(view.template get<Position>(i) - view.template get<Position>(j)) < H2;
-    };
-    auto const always = [](std::size_t, std::size_t) { return true; };
-    for (std::size_t i = 0; i < n; ++i)
-        if (surface[i] > 0) zone[i] = exterior;
-    mark(
-        exterior, [&](std::size_t i) { return surface[i] > 0; }, inside);
-    mark(
-        border, [&](std::size_t i) { return zone[i] == exterior; }, always);
-    mark(
-        near, [&](std::size_t i) { return zone[i] >= border; }, always);
-
-    for (std::size_t i = 0; i < n; ++i) {
-        view.template at<Exterior>()[i] = zone[i] == exterior;
-        view.template at<FellBack>()[i] = 0;  // set where gradients are corrected
-    }
-    exterior_ = neighbours_.targets([&](std::size_t i) { return zone[i] == exterior; });
-    border_ = neighbours_.targets([&](std::size_t i) { return zone[i] == border; });
-    near_ = neighbours_.targets([&](std::size_t i) { return zone[i] == near; });
-    deep_ = neighbours_.targets([&](std::size_t i) { return zone[i] == deep; });
-    corrected_ = neighbours_.targets([&](std::size_t i) { return zone[i] >= border; });
-    plain_ = neighbours_.targets([&](std::size_t i) { return zone[i] < border; });
+    walls_.follow(particles_, neighbours_);
+    if (settings_.gradient == Gradient::cph) zones_.mark(particles_, neighbours_);
 }
 
 template <int D>
 void WeaklyCompressible<D>::update_state() {
     auto const view = particles_.view();
     EquationOfState const eos = settings_.equation_of_state;
-    for_each(particles_.size(), [&](std::size_t i) {
+    for_each(particles_.owned(), [&](std::size_t i) {
         double const rho = view.template at<Density>()[i];
         view.template at<Pressure>()[i] = eos.pressure(rho);
         view.template at<SoundSpeed>()[i] = eos.sound_speed(rho);
         view.template at<Volume>()[i] = view.template at<Mass>()[i] / rho;
     });
+}
+
+/// What liquid sees beyond its own kind, up to date for the first sweep.
+template <int D>
+void WeaklyCompressible<D>::update_surroundings() {
+    auto const& images = neighbours_.images();
+    images.refresh(particles_, Fields<Velocity, Volume, Pressure, Density, SoundSpeed>{});
+    if (particles_.count(Role::wall) == 0) return;
+    walls_.look_at_liquid(particles_, neighbours_);
+    images.refresh(particles_, Fields<Velocity, Volume, Pressure, Density, SoundSpeed, WallVelocity, ToMirror, Slip>{});
 }
 
 /// Leaves in Pressure what exceeds the mean of each piece of liquid.
@@ -252,9 +272,10 @@ void WeaklyCompressible<D>::gradients_and_stress(double dt) {
             else sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected});
             break;
         case Gradient::cph:
-            sweep_parts(Part{exterior_, CorrectedGradients{}, corrected},
-                        Part{border_, PlainGradientsAndSums{}, NearClose<true>{plain}},
-                        Part{near_, PlainGradients{}, NearClose<false>{plain}}, Part{deep_, PlainGradients{}, plain});
+            sweep_parts(Part{zones_.exterior, CorrectedGradients{}, corrected},
+                        Part{zones_.border, PlainGradientsAndSums{}, NearClose<true>{plain}},
+                        Part{zones_.near, PlainGradients{}, NearClose<false>{plain}},
+                        Part{zones_.deep, PlainGradients{}, plain});
             break;
     }
     counters_.singular_now = static_cast<std::int64_t>(
@@ -264,6 +285,14 @@ void WeaklyCompressible<D>::gradients_and_stress(double dt) {
 
 template <int D>
 void WeaklyCompressible<D>::forces() {
+    if (variable_morris()) {
+        neighbours_.images().refresh(particles_, Fields<Viscosity>{});
+        sweep_parts(Part{neighbours_.all(), PressureAndVariableMorris{{}, {}, settings_.pair_terms},
+                         PlainForceClose<D>{settings_.gravity}});
+        return;
+    }
+    if (settings_.gradient == Gradient::sph) neighbours_.images().refresh(particles_, Fields<Stress>{});
+    else neighbours_.images().refresh(particles_, Fields<CorrectedStress, StressOffset>{});
     PlainForceClose<D> const plain_close{settings_.gravity};
     CorrectedForceClose<D> const corrected_close{settings_.gravity};
     auto const forces_of = [&](auto const& plain, auto const& corrected) {
@@ -271,7 +300,8 @@ void WeaklyCompressible<D>::forces() {
             case Gradient::sph: return sweep_parts(Part{neighbours_.all(), plain, plain_close});
             case Gradient::fpm: return sweep_parts(Part{neighbours_.all(), corrected, corrected_close});
             case Gradient::cph:
-                return sweep_parts(Part{corrected_, corrected, corrected_close}, Part{plain_, plain, plain_close});
+                return sweep_parts(Part{zones_.corrected, corrected, corrected_close},
+                                   Part{zones_.plain, plain, plain_close});
         }
     };
     auto const& terms = settings_.pair_terms;
@@ -288,7 +318,14 @@ void WeaklyCompressible<D>::forces() {
 template <int D>
 bool WeaklyCompressible<D>::one_sweep() const {
     return settings_.gradient == Gradient::sph &&
-           (settings_.viscous_force == ViscousForce::morris || settings_.liquid.is_inviscid());
+           (settings_.liquid.is_inviscid() ||
+            (settings_.viscous_force == ViscousForce::morris && settings_.liquid.is_newtonian()));
+}
+
+/// Whether viscosity acts between velocities, and is a matter of the shear rate.
+template <int D>
+bool WeaklyCompressible<D>::variable_morris() const {
+    return settings_.viscous_force == ViscousForce::morris && !settings_.liquid.is_newtonian();
 }
 
 /// The conservative equations of Jahanbakhsh et al. (2012), 15, 18 and 19.
@@ -312,17 +349,18 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
     std::size_t const n = particles_.owned();
     double const h = settings_.kernel.support / 3;
     struct Largest {
-        double c, a2, mu;
+        double c, a2;
     };
     bool const newtonian = settings_.liquid.is_newtonian();
-    auto const [c, a2, mu] = fold(
-        n, Largest{0, 0, newtonian ? settings_.liquid.rheology.viscosity : 0},
+    double const mu = newtonian ? settings_.liquid.rheology.viscosity
+                                : max_over(n, 0, [&](std::size_t i) { return view.template at<Viscosity>()[i]; });
+    auto const [c, a2] = fold(
+        n, Largest{0, 0},
         [&](std::size_t i) {
-            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i)),
-                           newtonian ? 0 : view.template at<Viscosity>()[i]};
+            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i))};
         },
         [](Largest const& a, Largest const& b) {
-            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2), std::max(a.mu, b.mu)};
+            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2)};
         });
     double const nu = mu / settings_.equation_of_state.rho0;
     constexpr double never = std::numeric_limits<double>::infinity();
@@ -334,7 +372,7 @@ StepLimit WeaklyCompressible<D>::time_limit() const {
     };
     vote(a2 > 0 ? 0.25 * std::sqrt(h / std::sqrt(a2)) : never, "force");
     vote(step_limit(settings_.pair_terms, h, c), "pair terms");
-    vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
+    if (!implicit_viscosity_) vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
     vote(capillary_step(settings_.surface, settings_.equation_of_state.rho0), "capillary waves");
     return limit;
 }
@@ -349,13 +387,6 @@ template <int D>
 Arrangement WeaklyCompressible<D>::arrangement() {
     update_neighbours();
     return arrangement_of(particles_, neighbours_);
-}
-
-template <int D>
-std::vector<Reading> WeaklyCompressible<D>::readings() const {
-    std::vector<Reading> list{{"singular_matrices", static_cast<double>(counters_.singular_now)}};
-    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
-    return list;
 }
 
 template class WeaklyCompressible<2>;

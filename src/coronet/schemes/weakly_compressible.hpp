@@ -24,9 +24,12 @@
 #include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
 #include "coronet/schemes/conserving_shift.hpp"
+#include "coronet/schemes/coupled_zones.hpp"
+#include "coronet/schemes/implicit_viscosity.hpp"
 #include "coronet/schemes/pair_terms.hpp"
 #include "coronet/schemes/scheme.hpp"
 #include "coronet/schemes/shifting.hpp"
+#include "coronet/schemes/walls.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -35,7 +38,7 @@ enum class Gradient { sph, cph, fpm };
 
 enum class ViscousForce {
     stress,  ///< the dual of the velocity gradient, Fang et al. (2009) Eq 61
-    morris   ///< Morris, Fox and Zhu (1997), between velocities: with sph and fpm
+    morris   ///< Morris, Fox and Zhu (1997), between velocities: with sph and fpm; at walls, too, with sph
 };
 
 enum class Stepping { predictor_corrector, symplectic_euler };
@@ -65,11 +68,17 @@ public:
         ShiftingSettings shifting;
         double shift_range = 0;          ///< [m], of schemes/conserving_shift.hpp; 0: none
         Vector<double, D> gravity = {};  ///< [m/s^2]
-        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration; empty: none.
-        std::function<void(double, View<D> const&, std::size_t count)> body_force;
+        /// Adds a body force per mass [m/s^2] at a time [s] to the field Acceleration of [begin, end); empty: none.
+        std::function<void(double, View<D> const&, std::size_t begin, std::size_t end)> body_force;
+        bool implicit_viscosity = false;
+        SolveLimits solve;  ///< of an implicit viscosity
+        PeriodicBox<D> box;
+        double lattice_slope_moment = 1;                         ///< see WallSettings
+        std::function<void(double, Particles<D>&)> wall_motion;  ///< see WallSettings
     };
 
-    /// Takes particles with Position, Velocity, Density, Mass (and Surface for cph) set.
+    /// Takes particles with Position, Velocity, Density, Mass (and Surface for cph) set, and at wall particles
+    /// Position, Mass, WallVelocity, ToMirror and Slip.
     WeaklyCompressible(Settings const& settings, Particles<D> particles);
 
     void begin_step(double time) override;
@@ -91,26 +100,33 @@ private:
     template <class... Parts>
     void sweep_parts(Parts const&... parts);
     void update_neighbours();
-    void mark_zones();
     void update_state();
+    void update_surroundings();
+    void sum_wall_force();
     void find_boundary_and_mean_pressure();
     void act_on_boundary();
     void predict_and_correct(double time, double step);
     void symplectic_step(double time, double step);
+    void damp(double step);
     void gradients_and_stress(double dt);
     void forces();
     bool one_sweep() const;
+    bool variable_morris() const;
     bool corrected_morris() const;
     void rates_in_one_sweep();
 
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
+    Walls<D> walls_;
     Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece
     Shifting<D> shifting_;
     std::optional<ConservingShift<D>> conserving_shift_;
-    Targets exterior_, border_, near_, deep_, corrected_, plain_;  // of cph: see mark_zones()
+    CoupledZones<D> zones_;  // of cph
+    std::optional<ImplicitViscosity<D>> implicit_viscosity_;
+    Solved viscous_solved_;
+    Vector<double, D> wall_force_;  // on all walls [N]
     Counters counters_;
     Phases phases_;
 };

@@ -30,6 +30,23 @@ struct MorrisViscosity {
     }
 };
 
+/// With 4 mu_i mu_j/(mu_i + mu_j) for 2 eta: between two particles one stress acts, mu_i g_i = mu_j g_j, so that what
+/// resists their difference in velocity is the harmonic mean (Cleary and Monaghan, J. Comput. Phys. 148 (1999) 227, for
+/// heat). The arithmetic one would let a plug of a yielding liquid stiffen its neighbours.
+struct VariableMorrisViscosity {
+    using reads = Fields<Volume, Velocity, Viscosity>;
+    using own = Fields<Density>;
+    using gives = Fields<Acceleration>;
+
+    template <class P>
+    CORONET_HD auto operator()(P const& ij) const {
+        using R = typename P::Number;
+        R const slope = (ij.j.V * ij.F) * (ij.r2 * ij.soft);
+        return give<gives>(ij,
+                           (R(4) * ij.i.mu * ij.j.mu / ((ij.i.mu + ij.j.mu) * ij.i.rho) * slope) * (ij.i.v - ij.j.v));
+    }
+};
+
 struct CorrectedMorrisViscosity {
     double eta = 0;  ///< dynamic viscosity [Pa s]
 

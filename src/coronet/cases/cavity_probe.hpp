@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The lid-driven cavity, a square or cube from 0 to L whose face y = L slides along x with the speed U: u/U on the
+// vertical midline and v/U on the horizontal one, over the coordinate over L, beside tabulated solutions of the
+// Navier-Stokes equations at Reynolds numbers U L/nu of 100, 400 and 1000 (cases/reference/cavity2d_own_reference.csv
+// and cavity3d_own_reference.csv).
+
+#include "coronet/cases/probe.hpp"
+#include "coronet/kernels/kernel.hpp"
+
+namespace coronet {
+
+/// "u" and "v" without computed values; without any stations where the Reynolds number has no table.
+std::vector<Profile> cavity_reference(int dimension, double reynolds);
+
+template <int D>
+class CavityProbe final : public Probe<D> {
+public:
+    CavityProbe(ProbeKeys const& keys, Case const& c);
+
+    std::vector<std::string> columns() const override { return {"u_error", "v_error"}; }
+    std::vector<double> sample(Snapshot<D> const& now) override;
+    std::vector<Measure> measures() const override;
+    std::vector<Profile> profiles() const override { return profiles_; }
+
+private:
+    double error(Profile const& profile) const;
+
+    double length_, speed_;
+    Kernel kernel_;
+    std::vector<Profile> profiles_;
+};
+
+}  // namespace coronet
