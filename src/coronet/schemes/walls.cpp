@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/walls.hpp"
 
+#include "coronet/pairs/close.hpp"
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/terms/gradient_correction.hpp"

@@ -21,7 +21,6 @@
 #include "coronet/materials/equation_of_state.hpp"
 #include "coronet/materials/generalised_newtonian.hpp"
 #include "coronet/neighbours/neighbours.hpp"
-#include "coronet/pairs/close.hpp"
 
 namespace coronet {
 
