@@ -188,10 +188,9 @@ void run(Options const& o) {
                     make_operator<D>(name, o, dx, particles),
                     precondition == "jacobi" ? Preconditioning::jacobi : Preconditioning::multigrid, dx,
                     {o.tolerance, 5000});
-                double const begin = seconds();
-                auto const solved = projection.project(particles, neighbours, dt);
-                double const all = seconds() - begin;
-                double const set_up = all - projection.seconds_of_solve();
+                Phases phases;
+                auto const solved = projection.project(particles, neighbours, dt, phases);
+                double const set_up = phases.seconds()[0].second, all = set_up + phases.seconds()[1].second;
                 std::vector<double> left(particles.size()), before(particles.size());
                 projection.pressure().source(dt, left);
                 set_velocity(particles, dx);

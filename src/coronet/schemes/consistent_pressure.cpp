@@ -9,41 +9,29 @@ using Lanes = Pack<double>;
 
 }  // namespace
 
+/// C has V_i V_j (1/rho_i + 1/rho_j) W'/r off the diagonal, which for a uniform density is that of Lobo, and minus
+/// their sum and A 1 on it.
 template <int D>
 void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const& neighbours) {
     particles_ = &particles;
     particles.allocate(Fields<Velocity, Acceleration>{});
-    gradients_.set_up(particles, neighbours, kernel_, kind_, compact_share_ > 0);
     diagonal_.clear();
     auto const view = particles.view();
     std::size_t const n = particles.size();
+    bool const compact = compact_share_ > 0;
     inverse_mass_.resize(n);
+    share_per_density_.resize(compact ? n : 0);
     for (auto& component : velocity_) component.resize(n);
     for_each(n, [&](std::size_t i) {
         inverse_mass_[i] = 1 / view.template at<Mass>()[i];
-        set_velocity(i, inverse_mass_[i] * gradients_.push_of_constant(i));
+        if (compact) share_per_density_[i] = compact_share_ / view.template at<Density>()[i];
     });
-    if (compact_share_ > 0) set_up_compact();
-}
-
-/// The entries of d C: V_i V_j (1/rho_i + 1/rho_j) W'/r off the diagonal, which for a uniform density is that of Lobo,
-/// and minus their sum and d A 1 on it. The velocity must be that of a constant pressure of one.
-template <int D>
-void ConsistentPressure<D>::set_up_compact() {
-    std::size_t const n = gradients_.size();
-    std::vector<double> inverse_density(n);
-    double const* const rho = particles_->view().template at<Density>();
-    for_each(n, [&](std::size_t i) { inverse_density[i] = 1 / rho[i]; });
+    gradients_.set_up(particles, neighbours, kernel_, kind_, share_per_density_);
+    if (!compact) return;
+    for_each(n, [&](std::size_t i) { set_velocity(i, inverse_mass_[i] * gradients_.push_of_constant(i)); });
     compact_diagonal_.resize(n);
     for_each(n, [&](std::size_t i) {
-        Lanes const mine(inverse_density[i]), d(compact_share_);
-        Lanes row(0.0);
-        gradients_.change_slopes(i, [&](Index const* j, Lanes const& slope) {
-            Lanes const entry = d * (slope * (mine + fetch_one(inverse_density.data(), j)));
-            row += entry;
-            return entry;
-        });
-        compact_diagonal_[i] = compact_share_ * divergence(i) - sum(row);
+        compact_diagonal_[i] = compact_share_ * divergence(i) - gradients_.sum_of_slopes(i);
     });
 }
 

@@ -44,7 +44,6 @@ public:
     std::size_t singular_matrices() const override { return gradients_.singular_matrices(); }
 
 private:
-    void set_up_compact();
     void set_velocity(std::size_t i, Vector<double, D> const& v);
     double divergence(std::size_t i) const;
 
@@ -53,8 +52,9 @@ private:
     double compact_share_;
     std::vector<double> inverse_mass_;  ///< [1/kg]
     Particles<D>* particles_ = nullptr;
-    KeptGradients<D> gradients_;  ///< with the entries of d C for its slopes
-    std::vector<double> compact_diagonal_;
+    std::vector<double> share_per_density_;  ///< d/rho
+    KeptGradients<D> gradients_;             ///< with the entries of d C for its slopes
+    std::vector<double> compact_diagonal_;   ///< of d C
     std::vector<double> velocity_[D];  ///< whose divergence is formed
     std::vector<double> diagonal_;     ///< empty until it is asked for
 };

@@ -147,7 +147,7 @@ void Incompressible<D>::advance(double time, double step) {
     if (has_tension()) phases_.act("surface", [&] { tension(); });
     push(step);
     if (shift_) phases_.act("shift", [&] { shift_->find(particles_, neighbours_); });
-    phases_.act("projection", [&] { project(step); });
+    project(step);
     phases_.act("stress", [&] { set_stress(); });
     phases_.act("correct", [&] {
         for_each(n, [&](std::size_t i) {
@@ -241,8 +241,8 @@ void Incompressible<D>::push(double step) {
 
 template <int D>
 void Incompressible<D>::project(double step) {
-    solved_ = projection_.project(particles_, neighbours_, step);
-    divergence_ = projection_.largest_divergence(particles_);
+    solved_ = projection_.project(particles_, neighbours_, step, phases_);
+    phases_.act("pressure solve", [&] { divergence_ = projection_.largest_divergence(particles_); });
     auto const singular = static_cast<std::int64_t>(projection_.pressure().singular_matrices());
     counters_.singular_now += singular;
     counters_.singular_matrices += singular;

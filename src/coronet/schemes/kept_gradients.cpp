@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/kept_gradients.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "coronet/core/parallel.hpp"
@@ -10,7 +11,7 @@ namespace coronet {
 
 template <int D>
 struct KeptGradients<D>::Records {
-    static constexpr int q = D * D, volume = q + D, groups = (volume + 4) / 4;
+    static constexpr int q = D * D, volume = q + D, conductance = volume + 1, groups = (conductance + 4) / 4;
 
     double* first;
     std::size_t stride;
@@ -49,6 +50,7 @@ void KeptGradients<D>::lay(Neighbours<D> const& neighbours, std::size_t n, bool 
     gradient_.resize(packs * lanes * D);
     push_.resize(packs * lanes * D);
     slope_.resize(with_slopes ? packs * lanes : 0);
+    sum_of_slopes_.resize(with_slopes ? n : 0);
 }
 
 /// The row of i with grad W, W and W'/r where G_ij, G_ji and the slope will stand, and its correction to the records.
@@ -66,14 +68,12 @@ template <int knots>
     constexpr int sums = 1 + 2 * D + Moments::size, room = (sums + 7) / 8 * 8;
     Lanes total[room] = {};  // W0, W1, G0, G1 of terms/gradient_correction.hpp
     for (std::size_t k = 0, at = begin_[i]; k < places.size(); k += lanes, ++at) {
-        Index const* const place = places.data() + k;
         Lanes number[4];
-        fetch_four(records.first, place, number);
+        fetch_four(records.first, places.data() + k, number);
         Vector<Lanes, D> x;
         unrolled<D>([&](int a) { x[a] = x_i[a] - number[a]; });
         auto const [W, F] = kernel.template at<knots>(keep_first(norm2(x), places.size() - k, far));
         Vector<Lanes, D> const gradW = F * x;
-        for (std::size_t lane = 0; lane < lanes; ++lane) index_[at * lanes + lane] = place[lane];
         write(gradW, gradient_, at);
         store(W, &push_[at * lanes * D]);
         if (!slope_.empty()) store(F, &slope_[at * lanes]);
@@ -85,8 +85,10 @@ template <int knots>
         unrolled<D>([&](int a) { total[1 + D + a] += VG[a]; });
         unrolled<Moments::size>([&](int m) { total[1 + 2 * D + m] -= G1[m]; });
     }
-    for (std::size_t end = begin_[i] * lanes + places.size(); end < begin_[i + 1] * lanes; ++end)
-        index_[end] = Neighbours<D>::place * static_cast<Index>(i);
+    Index* const row = &index_[begin_[i] * lanes];
+    auto const end = static_cast<std::size_t>(&index_[begin_[i + 1] * lanes] - row);
+    for (std::size_t k = 0; k < places.size(); ++k) row[k] = places[k] / Neighbours<D>::place;
+    for (std::size_t k = places.size(); k < end; ++k) row[k] = static_cast<Index>(i);
     double sum[room];
     for (int s = 0; s < room; s += 8) sum_eight(total + s, sum + s);
     Vector<double, D> W1, G0;
@@ -108,25 +110,32 @@ template <int knots>
     return fell_back;
 }
 
-/// Puts what the row of i keeps in the place of the kernels, and numbers of neighbours in that of their places.
+/// Puts what the row of i keeps in the place of the kernels.
 template <int D>
-[[gnu::flatten]] void KeptGradients<D>::weigh(std::size_t i, Records const& records) {
-    Lanes mine[Records::volume + 1], its[4 * Records::groups];
-    unrolled<Records::volume + 1>([&](int k) { mine[k] = Lanes(records.correction(i, k)); });
+[[gnu::flatten]] void KeptGradients<D>::weigh(std::size_t i, Records const& records, Neighbours<D> const& neighbours) {
+    constexpr int numbers = Records::conductance + 1;
+    bool const with_slopes = !slope_.empty();
+    Lanes mine[numbers], its[4 * Records::groups], slopes(0.0);
+    unrolled<numbers>([&](int k) { mine[k] = Lanes(records.correction(i, k)); });
     Vector<Lanes, D> out, in;
-    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
-        Index* const row = &index_[k * lanes];
-        unrolled<Records::groups>([&](int g) { fetch_four(records.group(1 + g), row, its + 4 * g); });
+    Index const* place = neighbours.places(i).data();
+    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k, place += lanes) {
+        unrolled<Records::groups>([&](int g) { fetch_four(records.group(1 + g), place, its + 4 * g); });
         Lanes const VV = mine[Records::volume] * its[Records::volume], W = load(&push_[k * lanes * D]);
         Vector<Lanes, D> const gradW = read(gradient_, k), G = weighted<D>(VV, mine, gradW, W),
                                push = weighted<D>(VV, its, -gradW, W);
         write(G, gradient_, k);
         write(push, push_, k);
-        if (!slope_.empty()) store(VV * load(&slope_[k * lanes]), &slope_[k * lanes]);
+        if (with_slopes) {
+            Lanes const c = mine[Records::conductance] + its[Records::conductance],
+                        slope = VV * c * load(&slope_[k * lanes]);
+            store(slope, &slope_[k * lanes]);
+            slopes += slope;
+        }
         out += G;
         in += push;
-        for (std::size_t lane = 0; lane < lanes; ++lane) row[lane] /= Neighbours<D>::place;
     }
+    if (with_slopes) sum_of_slopes_[i] = sum(slopes);
     unrolled<D>([&](int a) {
         own_[i][a] = -sum(out[a]);
         push_of_constant_[i][a] = sum(in[a]) + own_[i][a];
@@ -135,14 +144,15 @@ template <int D>
 
 template <int D>
 void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
-                              GradientKind kind, bool with_slopes) {
+                              GradientKind kind, std::span<double const> conductance) {
     std::size_t const n = particles.size(), stride = 4 * n;
     auto const view = particles.view();
     Records const records{particles.template scratch<double>((1 + Records::groups) * stride), stride};
-    lay(neighbours, n, with_slopes);
+    lay(neighbours, n, !conductance.empty());
     for_each(n, [&](std::size_t i) {
         unrolled<D>([&](int a) { records.position(i, a) = view.template at<Position>(a)[i]; });
         records.position(i, D) = view.template at<Volume>()[i];
+        records.correction(i, Records::conductance) = conductance.empty() ? 0 : conductance[i];
     });
     auto const list_all = [&]<int knots>(std::integral_constant<int, knots>) {
         return sum_over(n, 0.0,
@@ -151,7 +161,7 @@ void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const
     singular_matrices_ =
         static_cast<std::size_t>(kernel.knots == 1 ? list_all(std::integral_constant<int, 1>{})
                                                    : list_all(std::integral_constant<int, Kernel::most_knots>{}));
-    for_each(n, [&](std::size_t i) { weigh(i, records); });
+    for_each(n, [&](std::size_t i) { weigh(i, records, neighbours); });
 }
 
 template class KeptGradients<2>;

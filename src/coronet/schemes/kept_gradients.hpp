@@ -13,6 +13,7 @@
 // application streams through them and fetches of j only what it acts on. Units: G is in m^(D-1).
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "coronet/core/simd.hpp"
@@ -30,9 +31,10 @@ class KeptGradients {
 public:
     using Lanes = Pack<double>;
 
-    /// Of the fields Position and Volume and the lists of now; with slopes, if they are wanted.
+    /// Of the fields Position and Volume and the lists of now. With a conductance c of each particle rows have slopes
+    /// s_ij = (c_i + c_j) V_i V_j W'/r, in units of c times m^(D-2), too.
     void set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel, GradientKind kind,
-                bool with_slopes = false);
+                std::span<double const> conductance = {});
 
     std::size_t size() const { return own_.size(); }
     /// Particles whose corrected gradient fell back to the plain one.
@@ -54,17 +56,13 @@ public:
     void for_pushes(std::size_t i, Act const& act) const {
         for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) act(&index_[k * lanes], read(push_, k));
     }
-    /// act(j, G_ji, slope): the slope is V_i V_j W'/r [m^(D-2)] until a caller has put another number in its place.
+    /// sum_j s_ij.
+    double sum_of_slopes(std::size_t i) const { return sum_of_slopes_[i]; }
+    /// act(j, G_ji, s_ij).
     template <class Act>
     void for_pushes_and_slopes(std::size_t i, Act const& act) const {
         for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
             act(&index_[k * lanes], read(push_, k), load(&slope_[k * lanes]));
-    }
-    /// Puts change(j, slope) in the place of each slope in the row of i.
-    template <class Change>
-    void change_slopes(std::size_t i, Change const& change) {
-        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-            store(change(&index_[k * lanes], load(&slope_[k * lanes])), &slope_[k * lanes]);
     }
 
 private:
@@ -81,19 +79,20 @@ private:
     }
 
     /// What a pair reads of its particles, in groups of four numbers that the places of the lists point to: group 0 is
-    /// position and volume, those behind it L, q and volume.
+    /// position and volume, those behind it L, q, volume and conductance.
     struct Records;
 
     void lay(Neighbours<D> const& neighbours, std::size_t n, bool with_slopes);
     template <int knots>
     bool list(std::size_t i, Records const& records, Neighbours<D> const& neighbours, Kernel const& kernel,
               GradientKind kind);
-    void weigh(std::size_t i, Records const& records);
+    void weigh(std::size_t i, Records const& records, Neighbours<D> const& neighbours);
 
     std::vector<std::size_t> begin_;  ///< of the packs of the row of i
     std::vector<Index> index_;
     Rows gradient_, push_, slope_;
     std::vector<Vector<double, D>> own_, push_of_constant_;
+    std::vector<double> sum_of_slopes_;
     std::size_t singular_matrices_ = 0;
 };
 

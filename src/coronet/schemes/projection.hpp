@@ -5,11 +5,11 @@
 // conjugate gradients from the pressure of before, v <- v + dt dv(p), A p = -V div(v)/dt
 // (schemes/pressure_operator.hpp).
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "coronet/core/phases.hpp"
 #include "coronet/schemes/pressure_operator.hpp"
 #include "coronet/solvers/conjugate_gradients.hpp"
 #include "coronet/solvers/jacobi.hpp"
@@ -30,19 +30,26 @@ public:
     /// PressureOperator::set_up asks for must hold. A solve that has not converged says so in what it returns; the
     /// velocity has then been corrected as far as it came.
     Solved project(Particles<D>& particles, Neighbours<D> const& neighbours, double step) {
+        Phases untold;
+        return project(particles, neighbours, step, untold);
+    }
+    /// The same, and how long it took: `pressure rows` is the operator's set-up, `pressure solve` the rest.
+    Solved project(Particles<D>& particles, Neighbours<D> const& neighbours, double step, Phases& phases) {
         std::size_t const n = particles.size();
         particles.template allocate<Pressure, Acceleration>();
-        pressure_->set_up(particles, neighbours);
-        b_.resize(n);
-        pressure_->source(step, b_);
-        auto const view = particles.view();
-        std::span<double> const p = particles.template get<Pressure>();
-        auto const begin = std::chrono::steady_clock::now();
-        Solved const solved = solve(particles, p);
-        solve_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        pressure_->accelerate(p);
-        for_each(n, [&](std::size_t i) {
-            view.template set<Velocity>(i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
+        phases.act("pressure rows", [&] { pressure_->set_up(particles, neighbours); });
+        Solved solved;
+        phases.act("pressure solve", [&] {
+            b_.resize(n);
+            pressure_->source(step, b_);
+            auto const view = particles.view();
+            std::span<double> const p = particles.template get<Pressure>();
+            solved = solve(particles, p);
+            pressure_->accelerate(p);
+            for_each(n, [&](std::size_t i) {
+                view.template set<Velocity>(
+                    i, view.template get<Velocity>(i) + step * view.template get<Acceleration>(i));
+            });
         });
         return solved;
     }
@@ -53,8 +60,6 @@ public:
         auto const view = particles.view();
         return max_over(b_.size(), 0, [&](std::size_t i) { return std::fabs(b_[i]) / view.template at<Volume>()[i]; });
     }
-    /// How long the last solve took, without the operator's set-up and with the preconditioner's [s].
-    double seconds_of_solve() const { return solve_seconds_; }
 
     PressureOperator<D>& pressure() { return *pressure_; }
 
@@ -77,7 +82,6 @@ private:
     ConjugateGradients gradients_;
     GridMultigrid<D> multigrid_;
     std::vector<double> b_;
-    double solve_seconds_ = 0;
 };
 
 }  // namespace coronet
