@@ -70,10 +70,12 @@ bool SphereCoverage::circles_are_covered() {
     return everything_ || (!caps_.empty() && std::ranges::all_of(caps_, [&](Disc const& c) { return is_covered(c); }));
 }
 
-auto SphereCoverage::ask_cells() -> Answer {
-    float inside[Cells::count];  // how far in a cap, at best; negative: outside
-    std::fill_n(inside, Cells::count, -4.0F);
-    for (Disc const& cap : caps_) {
+/// How far each cell is inside a cap, with all caps of now.
+float const* SphereCoverage::look_at_cells() {
+    if (seen_ == 0) inside_.assign(Cells::count, -4.0F);
+    float* const inside = inside_.data();
+    for (; seen_ < caps_.size(); ++seen_) {
+        Disc const& cap = caps_[seen_];
         auto const n0 = static_cast<float>(cap.n[0]), n1 = static_cast<float>(cap.n[1]),
                    n2 = static_cast<float>(cap.n[2]);
         // A cell is inside if its middle is nearer to the axis than the cap's angle less the cell's.
@@ -81,6 +83,17 @@ auto SphereCoverage::ask_cells() -> Answer {
         for (int k = 0; k < Cells::count; ++k)
             inside[k] = std::max(inside[k], n0 * cells.x[k] + n1 * cells.y[k] + n2 * cells.z[k] - inner);
     }
+    return inside;
+}
+
+bool SphereCoverage::seems_covered() {
+    if (everything_) return true;
+    float const* const inside = look_at_cells();
+    return std::count_if(inside, inside + Cells::count, [](float depth) { return depth <= Cells::rounding; }) == 0;
+}
+
+auto SphereCoverage::ask_cells() -> Answer {
+    float const* const inside = look_at_cells();
     doubtful_.clear();
     for (int k = 0; k < Cells::count; ++k) {
         if (inside[k] > Cells::rounding) continue;

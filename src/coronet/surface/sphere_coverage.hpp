@@ -25,6 +25,7 @@ class SphereCoverage {
 public:
     void clear() {
         caps_.clear();
+        seen_ = 0;
         everything_ = false;
     }
 
@@ -32,7 +33,9 @@ public:
     void add(Cap<3> const& cap, Index neighbour = 0);
 
     bool covered();
-    /// The same by the circles alone: slow, to compare with.
+    /// Whether the cells alone say so: fast, and never without reason, but a covered sphere may have cells in doubt.
+    bool seems_covered();
+    /// The same as covered(), by the circles alone: slow, to compare with.
     bool circles_are_covered();
 
 private:
@@ -42,10 +45,13 @@ private:
     };
     enum class Answer { covered, open, unknown };
     Answer ask_cells();
+    float const* look_at_cells();
     bool in_doubt(Disc const& cap) const;  ///< its circle passes through one of the doubtful cells
     bool is_covered(Disc const& cap);      ///< its circle is, by the others
 
     std::vector<Disc> caps_;
+    std::size_t seen_ = 0;       // caps that the cells know
+    std::vector<float> inside_;  // of each cell: how far it is in a cap, at best; negative: outside
     bool everything_ = false;
     std::vector<Vector<double, 3>> doubtful_;  // middles of cells that lie in no cap as a whole
     ArcCoverage circle_;
