@@ -45,7 +45,7 @@ struct Gap {
 /// The caps of one circle. Meant to be used for one circle after the other: it keeps its memory.
 class ArcCoverage {
 public:
-    void clear() { count_ = 0; }
+    void clear() { count_ = measured_ = 0; }
 
     /// The circle's part within `cap` is covered by `neighbour`.
     void add(Cap<2> const& cap, Index neighbour = 0) {
@@ -56,10 +56,21 @@ public:
         neighbour_[count_++] = neighbour;
     }
 
+    /// Enough to know that the circle is covered, if it is with some overlap: each of 64 sectors lies in one arc.
+    bool seems_covered() {
+        measure();
+        std::uint64_t covered = 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            int const first = static_cast<int>(std::ceil(16 * begin_[k]));
+            int const sectors = std::clamp(static_cast<int>(std::floor(16 * end_[k])) - first, 0, 63);
+            covered |= std::rotl((std::uint64_t{1} << sectors) - 1, first & 63);
+        }
+        return ~covered == 0;
+    }
+
     bool covered() {
         if (count_ == 0) return false;
-        measure();
-        if (surely_covered()) return true;
+        if (seems_covered()) return true;
         list_arcs();
         bool gap = arcs_.empty();
         pass([&](double, double, Index, Index) { gap = true; });
@@ -95,24 +106,14 @@ private:
     void measure() {
         double const *const x = x_.data(), *const y = y_.data(), *const a = a_.data();
         double *const begin = begin_.data(), *const end = end_.data();
-        for (std::size_t k = 0; k < count_; ++k) {
+        for (std::size_t k = measured_; k < count_; ++k) {
             double const h2 = x[k] * x[k] + y[k] * y[k] - a[k] * a[k];
             double const h = std::sqrt(h2 > 0 ? h2 : 0);
             begin[k] = quarters(a[k] * x[k] + h * y[k], a[k] * y[k] - h * x[k]);
             double const last = quarters(a[k] * x[k] - h * y[k], a[k] * y[k] + h * x[k]);
             end[k] = last < begin[k] ? last + 4 : last;
         }
-    }
-
-    /// Enough to know that the circle is covered, if it is with some overlap: each of 64 sectors lies in one arc.
-    bool surely_covered() const {
-        std::uint64_t covered = 0;
-        for (std::size_t k = 0; k < count_; ++k) {
-            int const first = static_cast<int>(std::ceil(16 * begin_[k]));
-            int const sectors = std::clamp(static_cast<int>(std::floor(16 * end_[k])) - first, 0, 63);
-            covered |= std::rotl((std::uint64_t{1} << sectors) - 1, first & 63);
-        }
-        return ~covered == 0;
+        measured_ = count_;
     }
 
     void list_arcs() {
@@ -144,7 +145,7 @@ private:
 
     std::vector<double> x_, y_, a_, begin_, end_;  // the caps and their arcs, of which count_ are in use
     std::vector<Index> neighbour_;
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, measured_ = 0;
     std::vector<Arc> arcs_;
     bool everything_ = false;
 };

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "coronet/surface/arc_coverage.hpp"
+#include "coronet/surface/cover.hpp"
 #include "coronet/surface/detect.hpp"
 
 namespace coronet {
@@ -24,19 +25,12 @@ double cross(Vector<double, 2> const& a, Vector<double, 2> const& b) { return a[
 Vector<double, 2> direction(double angle) { return {{std::cos(angle), std::sin(angle)}}; }
 
 std::vector<Arc> arcs_of_the_boundary(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius) {
-    auto const view = particles.view();
     Targets const& all = neighbours.all();
     std::vector<std::vector<Arc>> of_block(all.blocks());
     for_blocks(all.blocks(), [&](std::size_t block) {
         static thread_local ArcCoverage coverage;
         for (std::size_t i = all.begin[block]; i < all.begin[block + 1]; ++i) {
-            auto const x_i = view.get<Position>(i);
-            coverage.clear();
-            for (Index const j : neighbours.row(i)) {
-                auto const x = view.get<Position>(static_cast<std::size_t>(j)) - x_i;
-                if (norm2(x) <= 4 * radius * radius) coverage.add(Cap<2>(x, radius, radius), j);
-            }
-            if (coverage.covered()) continue;
+            if (cover(coverage, particles, neighbours, i, radius)) continue;
             coverage.for_gaps([&](Gap const& gap) { of_block[block].push_back({static_cast<Index>(i), gap}); });
         }
     });

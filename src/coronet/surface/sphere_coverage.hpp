@@ -32,9 +32,9 @@ public:
     /// The sphere's part within `cap` is covered.
     void add(Cap<3> const& cap, Index neighbour = 0);
 
-    bool covered();
-    /// Whether the cells alone say so: fast, and never without reason, but a covered sphere may have cells in doubt.
+    /// Enough to know that the sphere is covered, if it is with some overlap: each of its cells lies in one cap.
     bool seems_covered();
+    bool covered();
     /// The same as covered(), by the circles alone: slow, to compare with.
     bool circles_are_covered();
 
