@@ -114,7 +114,7 @@ void describe_fluid(Keys& keys, Case& c) {
     keys.number({.path = "fluid.surface_tension", .unit = "N/m", .meaning = "against the gas around", .at_least = 0},
                 f.surface_tension);
     describe_rheology(keys, c, preset.rheology);
-    bool const needs_sound = c.method.scheme == "weakly-compressible" || any_active(c.method.pair_terms);
+    bool const needs_sound = c.method.scheme == "weakly-compressible" || any_reads<SoundSpeed>(c.method.pair_terms);
     Key sound{.path = "fluid.sound_speed",
               .unit = "m/s",
               .meaning =

@@ -39,6 +39,18 @@ struct Motion {
     }
 };
 
+/// The motion of each piece, with positions relative to `origin`.
+template <int D>
+std::vector<Motion<D>> motions(Particles<D> const& particles, Boundary<D> const& boundary,
+                               Vector<double, D> const& origin) {
+    std::vector<Motion<D>> motions(boundary.pieces);
+    auto const view = particles.view();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        motions[boundary.piece_of(i)].add(view.template at<Mass>()[i], view.template get<Position>(i) - origin,
+                                          view.template get<Velocity>(i));
+    return motions;
+}
+
 }  // namespace
 
 template <int D>
@@ -59,18 +71,6 @@ void ConservingShift<D>::find(Particles<D> const& particles, Neighbours<D> const
         }
         shift_[i] = sum;
     });
-}
-
-/// The motion of each piece, with positions relative to `origin`.
-template <int D>
-std::vector<Motion<D>> motions(Particles<D> const& particles, Boundary<D> const& boundary,
-                               Vector<double, D> const& origin) {
-    std::vector<Motion<D>> motions(boundary.pieces);
-    auto const view = particles.view();
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        motions[boundary.piece_of(i)].add(view.template at<Mass>()[i], view.template get<Position>(i) - origin,
-                                          view.template get<Velocity>(i));
-    return motions;
 }
 
 /// Takes from the shifts what would change the size or the content of a piece. On a circle both change alike: where

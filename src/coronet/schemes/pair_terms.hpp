@@ -15,14 +15,21 @@ namespace coronet {
 
 using PairTerms = Sum<ArtificialViscosity>;
 
-/// Whether any of the case's pair terms does something: a term may say active() = false, without coefficients set.
+/// Whether a pair term does something: it may say active() = false, without coefficients set.
+template <class Term>
+bool is_active(Term const& term) {
+    if constexpr (requires { term.active(); }) return term.active();
+    return true;
+}
 template <class... Terms>
 bool any_active(Sum<Terms...> const& sum) {
-    [[maybe_unused]] auto const active = []<class T>(T const& term) {
-        if constexpr (requires { term.active(); }) return term.active();
-        return true;
-    };
-    return (active(static_cast<Terms const&>(sum)) || ...);
+    return (is_active(static_cast<Terms const&>(sum)) || ...);
+}
+
+/// Whether one that does reads this field.
+template <class Field, class... Terms>
+bool any_reads(Sum<Terms...> const& sum) {
+    return ((detail::has<Field, typename Terms::reads> && is_active(static_cast<Terms const&>(sum))) || ...);
 }
 
 /// The longest step the case's pair terms allow: a term may say step_limit(h, c), in s, for smoothing length h [m] and
