@@ -17,6 +17,7 @@ struct ChannelOptions {
     double jitter = 0, viscosity = 0.5;
     std::string viscous_force = "morris";
     std::string more = "";  ///< of the liquid
+    std::string shifting = "none";
 };
 
 /// Liquid of density 1 and viscosity 0.5 in a channel of 0.6 m x 1 m, the plates at y = -0.5 and 0.5 m.
@@ -24,17 +25,17 @@ Case channel(ChannelOptions const& o) {
     std::string const walls =
         fmt::format("[[walls]]\nkind = 'box'\nsize = [10, 1]\nsurface_velocity = [{}]\nslip = '{}'\n", o.lid, o.slip);
     return read_case(
-        fmt::format("name = 'channel'\ndimension = 2\n"
-                    "[domain]\nperiodic = '{}'\nsize = [0.6, 1]\n"
-                    "[particles]\nspacing = 0.05\norigin = 'cell'\njitter = {}\n"
-                    "[initial]\nvelocity = [{}]\n"
-                    "[fluid]\ndensity = 1\n{}\nsound_speed = 10\n"
-                    "[method]\ngradient = '{}'\nviscous_force = '{}'\nkernel = 'wendland-c2'\nsupport = 3.2\n"
-                    "[time]\nend = 0.1\n"
-                    "[[shapes]]\nkind = 'box'\nsize = [0.6, 1]\n{}",
-                    o.periodic, o.jitter, o.velocity,
-                    o.more.empty() ? fmt::format("viscosity = {}", o.viscosity) : o.more, o.gradient, o.viscous_force,
-                    o.periodic == "x" ? walls : ""),
+        fmt::format(
+            "name = 'channel'\ndimension = 2\n"
+            "[domain]\nperiodic = '{}'\nsize = [0.6, 1]\n"
+            "[particles]\nspacing = 0.05\norigin = 'cell'\njitter = {}\n"
+            "[initial]\nvelocity = [{}]\n"
+            "[fluid]\ndensity = 1\n{}\nsound_speed = 10\n"
+            "[method]\ngradient = '{}'\nviscous_force = '{}'\nkernel = 'wendland-c2'\nsupport = 3.2\nshifting = '{}'\n"
+            "[time]\nend = 0.1\n"
+            "[[shapes]]\nkind = 'box'\nsize = [0.6, 1]\n{}",
+            o.periodic, o.jitter, o.velocity, o.more.empty() ? fmt::format("viscosity = {}", o.viscosity) : o.more,
+            o.gradient, o.viscous_force, o.shifting, o.periodic == "x" ? walls : ""),
         "channel");
 }
 
@@ -70,10 +71,12 @@ std::vector<double> after_steps(Case const& c, int steps) {
 
 TEST(Walls, LetALinearFlowPass) {
     // The viscous forces on a particle from either side, each up to 2 nu times the slope over the spacing, cancel.
-    auto const scheme = make_scheme<2>(channel({}));
-    scheme->begin_step(0);
-    EXPECT_LT(largest_acceleration(*scheme), 1e-12 * 2 * 0.5 / 0.05);
-    EXPECT_EQ(scheme->particles().count(Role::wall), 2u * 12 * 3);
+    for (std::string const gradient : {"sph", "fpm"}) {
+        auto const scheme = make_scheme<2>(channel({.gradient = gradient}));
+        scheme->begin_step(0);
+        EXPECT_LT(largest_acceleration(*scheme), 1e-12 * 2 * 0.5 / 0.05) << gradient;
+        EXPECT_EQ(scheme->particles().count(Role::wall), 2u * 12 * 3);
+    }
 
     // A liquid whose viscosity follows the shear rate has the same viscosity everywhere.
     auto const thinning = make_scheme<2>(
@@ -117,6 +120,26 @@ TEST(Walls, ContinueTheColumnOfLiquid) {
         EXPECT_NEAR(view.get<Pressure>(w), 3 - 0.5 * x[1], 1e-12);
         EXPECT_NEAR(to_mirror[0], 0, 1e-12);
         EXPECT_LT(std::fabs(x[1] + to_mirror[1]), 0.5);
+    }
+}
+
+TEST(Walls, ReflectSoundInSymplecticSteps) {
+    // The lowest standing wave between the plates, A cos(pi y), of period 2/c = 0.2 s: after five periods it is back.
+    // Smoothed gradients make sound slower, by 1 - 0.996 of the kernel's slope moment and by about (k H)^2/20 = 0.013,
+    // together less than 2 %: after 10 pi the phase is off by less than 0.6, whose cos^2 is above 0.65.
+    for (std::string const gradient : {"sph", "fpm"}) {
+        auto c = channel({.gradient = gradient, .velocity = "0, '0.01*cos(pi*y)'", .lid = "0, 0", .viscosity = 0});
+        c.time.stepping = "symplectic-euler";
+        auto const scheme = make_scheme<2>(c);
+        double const before = totals(scheme->particles()).kinetic_energy, step = 1e-3;
+        double largest = 0;
+        for (int n = 0; n < 1000; ++n) {
+            scheme->begin_step(n * step);
+            scheme->advance(n * step, step);
+            if (n >= 800) largest = std::max(largest, totals(scheme->particles()).kinetic_energy);
+        }
+        EXPECT_NEAR(largest, before, 0.02 * before) << gradient << ": neither amplified nor damped";
+        EXPECT_GT(totals(scheme->particles()).kinetic_energy, 0.65 * before) << gradient << ": in phase";
     }
 }
 
@@ -191,9 +214,121 @@ TEST(PeriodicBox, KeepsMomentum) {
     }
 }
 
+TEST(ShiftingAtWalls, TakesALinearFlowAlong) {
+    // Wall particles continue the flow between the plates, and images repeat it: wherever a particle is moved it has
+    // the velocity of that place. The step is so short that the flow has no time to change: velocities differ by what
+    // the shift alone has done to them.
+    double const step = 1e-7;
+    for (std::string const shifting : {"xu", "jahanbakhsh", "sun"}) {
+        auto const state = [&](std::string const& which) {
+            auto const scheme = make_scheme<2>(channel({.jitter = 0.3, .shifting = which}));
+            scheme->begin_step(0);
+            scheme->advance(0, step);
+            auto const& particles = scheme->particles();
+            std::vector<double> now(4 * particles.owned());
+            for (std::size_t i = 0; i < particles.owned(); ++i)
+                for (int k = 0; k < 2; ++k) {
+                    now[4 * static_cast<std::size_t>(particles.id[i]) + k] = particles.get<Position>(k)[i];
+                    now[4 * static_cast<std::size_t>(particles.id[i]) + 2 + k] = particles.get<Velocity>(k)[i];
+                }
+            return now;
+        };
+        auto const stays = state("none"), shifted = state(shifting);
+        double largest = 0, worst = 0;
+        for (std::size_t row = 0; row < stays.size(); row += 4) {
+            double const dx = shifted[row] - stays[row], dy = shifted[row + 1] - stays[row + 1];
+            largest = std::max(largest, std::hypot(dx, dy));
+            worst = std::max({worst, std::fabs(shifted[row + 2] - stays[row + 2] - dy),
+                              std::fabs(shifted[row + 3] - stays[row + 3])});
+        }
+        EXPECT_GT(largest, 0.1 * 0.5 * step) << shifting;
+        // The accelerations of jittered particles, up to 2 nu v/dx^2, have changed the slope of the flow in the step.
+        EXPECT_LT(worst, 10 * largest * step * 2 * 0.5 / (0.05 * 0.05)) << shifting;
+    }
+}
+
+TEST(ShiftingAtWalls, PushesNothingIntoThem) {
+    for (std::string const shifting : {"xu", "jahanbakhsh", "sun"}) {
+        auto c =
+            channel({.velocity = "0, '0.5*y*cos(2*pi*x/0.6)'", .lid = "0, 0", .jitter = 0.45, .shifting = shifting});
+        c.method.shifting_coefficient = shifting == "sun" ? 10 : 1;
+        auto const stays = [&] {
+            auto calm = c;
+            calm.method.shifting = "none";
+            return after_steps(calm, 1);
+        }();
+        auto const shifted = after_steps(c, 1);
+        double moved = 0;
+        for (std::size_t row = 0; row < stays.size(); row += 5) {
+            double const before = std::fabs(stays[row + 1]), after = std::fabs(shifted[row + 1]);
+            if (before > 0.5 - 0.025) EXPECT_LE(after, before + 1e-15) << shifting;
+            else EXPECT_LE(after, 0.5 - 0.025 + 1e-15) << shifting;
+            moved = std::max(moved, std::fabs(after - before));
+        }
+        EXPECT_GT(moved, 1e-5) << shifting;
+    }
+}
+
+TEST(ShiftingAtWalls, DoesTheSameIn3D) {
+    // v = (y, 0, 0) between plates at y = -0.4 and 0.4 m, periodic along x and z; a step that leaves no time to change.
+    double const step = 1e-7, dx = 0.1;
+    for (std::string const shifting : {"xu", "jahanbakhsh", "sun"}) {
+        auto const state = [&](std::string const& which) {
+            auto const scheme = make_scheme<3>(read_case(
+                fmt::format(
+                    "name = 'plates'\ndimension = 3\n[domain]\nperiodic = 'xz'\nsize = [0.6, 0.8, 0.6]\n"
+                    "[particles]\nspacing = {}\norigin = 'cell'\njitter = 0.4\n"
+                    "[initial]\nvelocity = ['y', 0, 0]\n[fluid]\ndensity = 1\nviscosity = 0.5\nsound_speed = 10\n"
+                    "[method]\ngradient = 'fpm'\nviscous_force = 'morris'\nkernel = 'wendland-c2'\nsupport = 2.6\n"
+                    "shifting = '{}'\n[time]\nend = 0.1\n[[shapes]]\nkind = 'box'\nsize = [0.6, 0.8, 0.6]\n"
+                    "[[walls]]\nkind = 'box'\nsize = [9, 0.8, 9]\nsurface_velocity = ['y', 0, 0]\n",
+                    dx, which),
+                "plates"));
+            scheme->begin_step(0);
+            scheme->advance(0, step);
+            auto const& particles = scheme->particles();
+            std::vector<std::pair<Vector<double, 3>, Vector<double, 3>>> now(particles.owned());
+            for (std::size_t i = 0; i < now.size(); ++i)
+                now[static_cast<std::size_t>(particles.id[i])] = {particles.view().get<Position>(i),
+                                                                  particles.view().get<Velocity>(i)};
+            return now;
+        };
+        auto const stays = state("none"), shifted = state(shifting);
+        double largest = 0, worst = 0;
+        for (std::size_t i = 0; i < stays.size(); ++i) {
+            auto const d = shifted[i].first - stays[i].first;
+            largest = std::max(largest, std::sqrt(norm2(d)));
+            auto dv = shifted[i].second - stays[i].second;
+            dv[0] -= d[1];
+            worst = std::max(worst, std::sqrt(norm2(dv)));
+            double const before = std::fabs(stays[i].first[1]), after = std::fabs(shifted[i].first[1]);
+            EXPECT_LE(after, std::max(before, 0.4 - dx / 2) + 1e-15) << shifting;
+        }
+        EXPECT_GT(largest, 0.1 * 0.4 * step) << shifting;
+        EXPECT_LT(worst, 10 * largest * step * 2 * 0.5 / (dx * dx)) << shifting;
+    }
+}
+
+TEST(ShiftingAtWalls, SpreadsACrowdInAPeriodicBox) {
+    auto const least_distance = [](std::vector<double> const& state) {
+        double least2 = 1;
+        for (std::size_t a = 0; a < state.size(); a += 5)
+            for (std::size_t b = 0; b < a; b += 5) {
+                double const dx = std::remainder(state[a] - state[b], 0.6),
+                             dy = std::remainder(state[a + 1] - state[b + 1], 1.0);
+                least2 = std::min(least2, dx * dx + dy * dy);
+            }
+        return std::sqrt(least2);
+    };
+    ChannelOptions options{.velocity = "'0.5*sin(2*pi*y)', 0", .periodic = "xy", .jitter = 0.4, .shifting = "sun"};
+    EXPECT_GT(least_distance(after_steps(channel(options), 200)), 0.6 * 0.05);
+    options.shifting = "none";
+    EXPECT_LT(least_distance(after_steps(channel(options), 200)), 0.5 * 0.05);
+}
+
 TEST(Threads, ChangeNoBitBetweenWalls) {
     for (bool const implicit : {false, true}) {
-        auto c = channel({.velocity = "'2*y', '0.3*sin(2*pi*x/0.6)'", .jitter = 0.2});
+        auto c = channel({.velocity = "'2*y', '0.3*sin(2*pi*x/0.6)'", .jitter = 0.2, .shifting = "sun"});
         if (implicit) c.method.viscous_step = "implicit";
         set_threads(1);
         auto const one = after_steps(c, 40);

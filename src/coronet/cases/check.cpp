@@ -119,12 +119,11 @@ void check_domain(Case const& c, Errors& errors) {
         say(errors, "{} is not for method.scheme = 'projection': use 'weakly-compressible'", what);
     if (closed && c.method.gradient == "cph")
         say(errors, "{} is not for method.gradient = 'cph': use 'fpm' or 'sph'", what);
-    if (closed && c.method.gradient == "fpm" && c.method.viscous_force == "morris")
-        say(errors, "{} is not for method.viscous_force = 'morris' with method.gradient = 'fpm': use 'sph'", what);
-    if (closed && c.time.stepping == "symplectic-euler")
-        say(errors, "{} is not for time.stepping = 'symplectic-euler': use 'predictor-corrector'", what);
-    if (closed && c.method.shifting != "none")
-        say(errors, "{} is not for method.shifting = '{}': use 'none'", what, c.method.shifting);
+    if (!c.walls.empty() && c.time.stepping == "symplectic-euler" && c.method.gradient == "fpm" &&
+        c.method.viscous_force == "stress")
+        say(errors,
+            "a wall is not for time.stepping = 'symplectic-euler' with method.gradient = 'fpm' and "
+            "method.viscous_force = 'stress': use 'morris', or 'predictor-corrector'");
     if (closed && c.fluid.surface_tension > 0)
         say(errors, "{} is not for a liquid with fluid.surface_tension = {} N/m: set it to 0", what,
             c.fluid.surface_tension);
@@ -339,7 +338,9 @@ void check(Case const& c, Errors& errors) {
             "particles "
             "by their new velocity: leave it away",
             c.time.position_update);
-    if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (thesis && c.surface.pressure != "free")) {
+    bool const closed = !c.walls.empty() || c.domain.periodic != "none";
+    if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (closed && c.method.shifting != "none") ||
+        (thesis && c.surface.pressure != "free")) {
         if (2 * c.surface.coverage_radius > c.method.support)
             say(errors,
                 "surface.coverage_radius = {} is above half of method.support = {}: neighbours are not known that far",

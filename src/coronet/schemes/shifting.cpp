@@ -6,6 +6,7 @@
 
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/laws.hpp"
+#include "coronet/surface/detect.hpp"
 #include "coronet/terms/concentration_shift.hpp"
 #include "coronet/terms/distance_shift.hpp"
 #include "coronet/terms/gradient_correction.hpp"
@@ -15,13 +16,14 @@ namespace coronet {
 namespace {
 
 /// How the sweep ends at a particle: it is moved, and its velocity and density with it.
-template <class Term>
+template <class Term, class HeldOff>
 struct ShiftClose {
     Term term;
     double scale, most;  ///< K alpha and alpha/2 [m]
+    HeldOff held_off;    ///< held_off(at, d): d without what leads into a wall
 
     template <class At, class Sums>
-    CORONET_HD void operator()(At const& at, Sums const& sums) const {
+    void operator()(At const& at, Sums const& sums) const {
         using R = typename At::Number;
         constexpr int D = At::dimension;
         Vector<R, D> d = R(scale) * term.vector(sums);
@@ -34,6 +36,7 @@ struct ShiftClose {
         GradientCorrection<R, D> const correction(R(1), Vector<R, D>{}, Vector<R, D>{}, sums.G1);
         R const length = square_root(norm2(d));
         d = (select(length > R(most), R(most) / length, R(1)) * (R(1) - correction.fell_back)) * d;
+        d = held_off(at, d);
 
         auto const grad_v = correction.gradient(sums.v_slope, Vector<R, D>{});
         at.template set<Position>(at.template get<Position>() + d);
@@ -45,7 +48,8 @@ struct ShiftClose {
 }  // namespace
 
 template <int D>
-void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step) {
+void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
+                          Walls<D> const* walls) {
     auto const view = particles.view();
     std::size_t const n = particles.owned();
     auto const mean = (1 / static_cast<double>(n)) *
@@ -54,11 +58,26 @@ void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbou
         std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(view.template get<Velocity>(i) - mean); }));
     double const alpha = speed * step;
     if (alpha == 0) return;
+    if (!started_) note_volume(particles, neighbours);
+    auto const held_off = [&](PackOfParticles<D> const& at, Vector<Pack<double>, D> d) {
+        if (!walls) return d;
+        double lanes[D][pack_size<double>];
+        unrolled<D>([&](int k) { store(d[k], lanes[k]); });
+        for (int lane = 0; lane < at.count(); ++lane) {
+            if (!walls->is_near(at[lane])) continue;
+            Vector<double, D> own;
+            unrolled<D>([&](int k) { own[k] = lanes[k][lane]; });
+            own = walls->held_off(particles, neighbours, at[lane], own, settings_.spacing / 2);
+            unrolled<D>([&](int k) { lanes[k][lane] = own[k]; });
+        }
+        unrolled<D>([&](int k) { d[k] = load(lanes[k]); });
+        return d;
+    };
     auto const shift_by = [&](auto const& term) {
         using Term = std::decay_t<decltype(term)>;
         sweep(particles, neighbours, kernel_, precision_,
               Part{neighbours.all(), ShiftAndGradients<Term>{{}, {}, {}, term},
-                   ShiftClose<Term>{term, settings_.coefficient * alpha, 0.5 * alpha}});
+                   ShiftClose{term, settings_.coefficient * alpha, 0.5 * alpha, held_off}});
     };
     if (settings_.vector == ShiftVector::sun) {
         look_at_surface(particles, neighbours);
@@ -67,6 +86,35 @@ void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbou
         shift_by(settings_.vector == ShiftVector::xu ? DistanceShift::xu(kernel_.support)
                                                      : DistanceShift::jahanbakhsh(settings_.spacing));
     }
+    if (closed_volume_ > 0) hold_volume(particles);
+}
+
+namespace {
+
+template <int D>
+double volume_of(Particles<D> const& particles) {
+    auto const view = particles.view();
+    return sum_over(particles.owned(), 0.0,
+                    [&](std::size_t i) { return view.template at<Mass>()[i] / view.template at<Density>()[i]; });
+}
+
+}  // namespace
+
+template <int D>
+void Shifting<D>::note_volume(Particles<D>& particles, Neighbours<D> const& neighbours) {
+    started_ = true;
+    if (particles.size() == particles.owned()) return;  // neither walls nor periodic boundaries
+    mark_surface(particles, neighbours, settings_.surface.coverage_radius);
+    auto const surface = particles.view().template at<Surface>();
+    if (sum_over(particles.owned(), 0.0, [&](std::size_t i) { return surface[i]; }) == 0)
+        closed_volume_ = volume_of(particles);
+}
+
+template <int D>
+void Shifting<D>::hold_volume(Particles<D>& particles) const {
+    double const factor = volume_of(particles) / closed_volume_;
+    double* const rho = particles.view().template at<Density>();
+    for_each(particles.owned(), [&](std::size_t i) { rho[i] *= factor; });
 }
 
 /// Sets Surface and NearestNormal.
@@ -76,8 +124,9 @@ void Shifting<D>::look_at_surface(Particles<D>& particles, Neighbours<D> const& 
     listing_seen_ = neighbours.listings();
     find_surface(particles, neighbours, settings_.surface);
     particles.allocate(Fields<NearestNormal>{});
+    neighbours.images().refresh(particles, Fields<SurfaceNormal>{});
     auto const view = particles.view();
-    for_each(particles.size(), [&](std::size_t i) {
+    for_each(particles.owned(), [&](std::size_t i) {
         auto const x = view.template get<Position>(i);
         auto normal = view.template get<SurfaceNormal>(i);
         double nearest = view.template at<Surface>()[i] > 0 ? 0 : neighbours.support() * neighbours.support();

@@ -15,6 +15,14 @@
 // surface stays where the flow took it, which is what keeps volume over long times. Marks and normals are renewed
 // whenever the neighbours are listed, and lag by less than the lists' skin.
 //
+// Walls and periodic boundaries: wall particles and images count in R and in the gradients as the liquid sees them, and
+// no particle is moved nearer than half a spacing to a wall.
+//
+// Volume in a closed domain: particles that the flow has brought out of order have taken volume along (the sum of V
+// div v is -2 sum V v . grad C, C the concentration of the particles), and the shift brings them back without it, so
+// that density and pressure would rise for ever. Liquid without a free surface at the start fills its walls and its
+// periodic box for good: after each shift all its densities are multiplied by what makes its volume that of the start.
+//
 // What it conserves: mass, and linear fields. Momentum changes by sum m d . grad v a step, energy accordingly: little
 // inside, where shifts have no common direction, and much where a surface spreads (docs/method.md).
 
@@ -22,6 +30,7 @@
 
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/schemes/walls.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -43,16 +52,22 @@ public:
 
     bool active() const { return settings_.vector != ShiftVector::none; }
 
-    /// After a step of that length [s], with neighbours up to date. Position, Velocity, Density and Volume must be set.
-    void advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step);
+    /// After a step of that length [s], with neighbours up to date. Position, Velocity, Density and Volume must be set,
+    /// at wall particles and images, too. Walls may be none.
+    void advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
+                 Walls<D> const* walls = nullptr);
 
 private:
     void look_at_surface(Particles<D>& particles, Neighbours<D> const& neighbours);
+    void note_volume(Particles<D>& particles, Neighbours<D> const& neighbours);
+    void hold_volume(Particles<D>& particles) const;
 
     ShiftingSettings settings_;
     Kernel kernel_;
     Precision precision_;
     std::size_t listing_seen_ = 0;  ///< that the marks of the surface are of
+    bool started_ = false;
+    double closed_volume_ = 0;  ///< of liquid that had no free surface at the start, else 0 [m^D]
 };
 
 }  // namespace coronet

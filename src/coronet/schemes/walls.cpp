@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/walls.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "coronet/pairs/close.hpp"
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/laws.hpp"
@@ -12,6 +15,12 @@ namespace {
 
 // A mean over less than this share of a full support is none: rounding would show.
 constexpr double least_kernel_sum = 1e-6;
+
+template <int D>
+bool is_wall(Particles<D> const& particles, std::size_t i) {
+    Role const role = particles.role(i);
+    return role == Role::wall || role == Role::wall_image;
+}
 
 }  // namespace
 
@@ -46,14 +55,31 @@ template <int D>
 void Walls<D>::follow(Particles<D> const& particles, Neighbours<D> const& neighbours) {
     if (particles.count(Role::wall) == 0) return;
     find_mirrors(particles);
-    std::vector<char> near(particles.owned());
-    for_each(near.size(), [&](std::size_t i) {
-        for (Index const j : neighbours.row(i)) {
-            Role const role = particles.role(static_cast<std::size_t>(j));
-            if (role == Role::wall || role == Role::wall_image) near[i] = 1;
-        }
+    near_wall_.assign(particles.owned(), 0);
+    for_each(near_wall_.size(), [&](std::size_t i) {
+        for (Index const j : neighbours.row(i))
+            if (is_wall(particles, static_cast<std::size_t>(j))) near_wall_[i] = 1;
     });
-    near_ = neighbours.targets([&](std::size_t i) { return near[i] != 0; });
+    near_ = neighbours.targets([&](std::size_t i) { return is_near(i); });
+}
+
+template <int D>
+Vector<double, D> Walls<D>::held_off(Particles<D> const& particles, Neighbours<D> const& neighbours, std::size_t i,
+                                     Vector<double, D> d, double least) const {
+    auto const view = particles.view();
+    auto const x = view.template get<Position>(i);
+    for (Index const place : neighbours.row(i)) {
+        auto const j = static_cast<std::size_t>(place);
+        if (!is_wall(particles, j)) continue;
+        auto const to_mirror = view.template get<ToMirror>(j), from = x - view.template get<Position>(j);
+        double const depth = 0.5 * std::sqrt(norm2(to_mirror));
+        auto const n = (0.5 / depth) * to_mirror;
+        double const above = dot(from, n), aside2 = norm2(from) - above * above;
+        if (aside2 > 4 * least * least) continue;
+        double const room = std::max(above - depth - least, 0.0), in = -dot(d, n);
+        if (in > room) d += (in - room) * n;
+    }
+    return d;
 }
 
 template <int D>
@@ -71,7 +97,8 @@ void Walls<D>::look_at_liquid(Particles<D>& particles, Neighbours<D> const& neig
     auto const view = particles.view();
     std::size_t const first = particles.begin(Role::mirror);
     EquationOfState const eos = settings_.equation_of_state;
-    bool const corrected = particles.template has<CorrectedStress>(), stressed = particles.template has<Stress>();
+    bool const corrected = particles.template has<CorrectedStress>(), stressed = particles.template has<Stress>(),
+               kept = particles.template has<SlopeCorrection>();
     auto const close = [&](std::size_t i, auto const& sums) {
         std::size_t const w = wall_of_[i - first];
         auto const v_wall = view.template get<WallVelocity>(w), to_mirror = view.template get<ToMirror>(w);
@@ -107,6 +134,10 @@ void Walls<D>::look_at_liquid(Particles<D>& particles, Neighbours<D> const& neig
         view.template set<Volume>(w, V);
         view.template set<SoundSpeed>(w, eos.sound_speed(rho));
         if (!settings_.liquid.is_newtonian()) view.template set<Viscosity>(w, settings_.liquid.viscosity(grad_v));
+        if (kept) {
+            view.template set<SlopeCorrection>(w, (1 / settings_.lattice_slope_moment) * identity<double, D>());
+            view.template set<ValueCorrection>(w, {});
+        }
         if (!stressed) return;
         // Viscosity acts between velocities here; stress is left with the pressure.
         auto const sigma = Newtonian{0.0}.stress(p, grad_v);

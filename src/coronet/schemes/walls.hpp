@@ -57,12 +57,20 @@ public:
     /// Adds to the rate of density of the liquid what terms/wall_continuity.hpp says.
     void add_to_density_rate(Particles<D>& particles, Neighbours<D> const& neighbours) const;
 
+    /// Whether liquid particle i has wall particles in its row.
+    bool is_near(std::size_t i) const { return !near_wall_.empty() && near_wall_[i] != 0; }
+    /// The displacement d of liquid particle i, without what would bring it nearer than `least` [m] to the surface of a
+    /// wall in front of which it stands.
+    Vector<double, D> held_off(Particles<D> const& particles, Neighbours<D> const& neighbours, std::size_t i,
+                               Vector<double, D> d, double least) const;
+
 private:
     void find_mirrors(Particles<D> const& particles);
 
     WallSettings<D> settings_;
     std::vector<std::size_t> wall_of_;  // each mirror
-    Targets near_;                      // liquid that has wall particles in its row
+    std::vector<char> near_wall_;       // liquid that has wall particles in its row,
+    Targets near_;                      // the same
 };
 
 }  // namespace coronet

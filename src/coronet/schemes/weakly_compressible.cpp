@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/weakly_compressible.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "coronet/pairs/sweep.hpp"
@@ -69,7 +66,13 @@ void WeaklyCompressible<D>::advance(double time, double step) {
     else predict_and_correct(time, step);
     if (!shifting_.active()) return;
     phases_.act("neighbours", [&] { update_neighbours(); });
-    phases_.act("shift", [&] { shifting_.advance(particles_, neighbours_, step); });
+    phases_.act("shift", [&] {
+        if (particles_.size() > particles_.owned()) {
+            update_state();
+            update_surroundings();
+        }
+        shifting_.advance(particles_, neighbours_, step, &walls_);
+    });
 }
 
 template <int D>
@@ -173,12 +176,14 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
     bool const on_boundary = settings_.surface.acts_on_boundary();
     if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
     // What pressure the density will have must be known before the forces: then one sweep is not enough.
-    if (!one_sweep() || dt > 0) phases_.act("gradients", [&] { gradients_and_stress(dt); });
+    bool const at_walls = particles_.count(Role::wall) > 0, ahead = dt > 0;
+    if (!one_sweep() || ahead) phases_.act("gradients", [&] { gradients_and_stress(at_walls ? 0 : dt); });
+    if (ahead && particles_.size() > particles_.owned()) phases_.act("walls", [&] { look_ahead(dt); });
     if (one_sweep()) phases_.act("rates", [&] { rates_in_one_sweep(); });
     else phases_.act("forces", [&] { forces(); });
-    if (particles_.count(Role::wall) > 0)
+    if (at_walls)
         phases_.act("walls", [&] {
-            walls_.add_to_density_rate(particles_, neighbours_);
+            if (one_sweep() || !ahead) walls_.add_to_density_rate(particles_, neighbours_);
             sum_wall_force();
         });
     if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
@@ -220,6 +225,21 @@ void WeaklyCompressible<D>::update_surroundings() {
     if (particles_.count(Role::wall) == 0) return;
     walls_.look_at_liquid(particles_, neighbours_);
     images.refresh(particles_, Fields<Velocity, Volume, Pressure, Density, SoundSpeed, WallVelocity, ToMirror, Slip>{});
+}
+
+/// With symplectic steps: the pressure at the end of the step for what liquid sees beyond its own kind; near walls, for
+/// the liquid, too, whose rate of density now becomes whole.
+template <int D>
+void WeaklyCompressible<D>::look_ahead(double dt) {
+    if (particles_.count(Role::wall) > 0) {
+        walls_.add_to_density_rate(particles_, neighbours_);
+        auto const view = particles_.view();
+        for_each(particles_.owned(), [&](std::size_t i) {
+            double const c = view.template at<SoundSpeed>()[i];
+            view.template at<Pressure>()[i] += dt * c * c * view.template at<DensityRate>()[i];
+        });
+    }
+    update_surroundings();
 }
 
 /// Leaves in Pressure what exceeds the mean of each piece of liquid.
@@ -291,7 +311,8 @@ void WeaklyCompressible<D>::forces() {
                          PlainForceClose<D>{settings_.gravity}});
         return;
     }
-    if (settings_.gradient == Gradient::sph) neighbours_.images().refresh(particles_, Fields<Stress>{});
+    if (corrected_morris()) neighbours_.images().refresh(particles_, Fields<SlopeCorrection, ValueCorrection>{});
+    else if (settings_.gradient == Gradient::sph) neighbours_.images().refresh(particles_, Fields<Stress>{});
     else neighbours_.images().refresh(particles_, Fields<CorrectedStress, StressOffset>{});
     PlainForceClose<D> const plain_close{settings_.gravity};
     CorrectedForceClose<D> const corrected_close{settings_.gravity};
@@ -341,40 +362,6 @@ void WeaklyCompressible<D>::rates_in_one_sweep() {
     auto const rates_of = [&](auto const& law) { sweep_parts(Part{neighbours_.all(), law, close}); };
     if (any_active(settings_.pair_terms)) rates_of(PlainSweepAndPairTerms{{}, viscosity, {}, settings_.pair_terms});
     else rates_of(PlainSweep{{}, viscosity, {}});
-}
-
-template <int D>
-StepLimit WeaklyCompressible<D>::time_limit() const {
-    auto const view = particles_.view();
-    std::size_t const n = particles_.owned();
-    double const h = settings_.kernel.support / 3;
-    struct Largest {
-        double c, a2;
-    };
-    bool const newtonian = settings_.liquid.is_newtonian();
-    double const mu = newtonian ? settings_.liquid.rheology.viscosity
-                                : max_over(n, 0, [&](std::size_t i) { return view.template at<Viscosity>()[i]; });
-    auto const [c, a2] = fold(
-        n, Largest{0, 0},
-        [&](std::size_t i) {
-            return Largest{view.template at<SoundSpeed>()[i], norm2(view.template get<Acceleration>(i))};
-        },
-        [](Largest const& a, Largest const& b) {
-            return Largest{std::max(a.c, b.c), std::max(a.a2, b.a2)};
-        });
-    double const nu = mu / settings_.equation_of_state.rho0;
-    constexpr double never = std::numeric_limits<double>::infinity();
-
-    // Fang et al. (2009) Eqs 90, 91, 92 with safe factors: c is the speed of sound, a the largest force per mass.
-    StepLimit limit{settings_.courant * h / c, "sound"};
-    auto const vote = [&](double step, std::string_view reason) {
-        if (step < limit.step) limit = {step, reason};
-    };
-    vote(a2 > 0 ? 0.25 * std::sqrt(h / std::sqrt(a2)) : never, "force");
-    vote(step_limit(settings_.pair_terms, h, c), "pair terms");
-    if (!implicit_viscosity_) vote(nu > 0 ? 0.125 * h * h / nu : never, "viscosity");
-    vote(capillary_step(settings_.surface, settings_.equation_of_state.rho0), "capillary waves");
-    return limit;
 }
 
 template <int D>

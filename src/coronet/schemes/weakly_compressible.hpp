@@ -38,7 +38,7 @@ enum class Gradient { sph, cph, fpm };
 
 enum class ViscousForce {
     stress,  ///< the dual of the velocity gradient, Fang et al. (2009) Eq 61
-    morris   ///< Morris, Fox and Zhu (1997), between velocities: with sph and fpm; at walls, too, with sph
+    morris   ///< Morris, Fox and Zhu (1997), between velocities: with sph and fpm
 };
 
 enum class Stepping { predictor_corrector, symplectic_euler };
@@ -102,6 +102,7 @@ private:
     void update_neighbours();
     void update_state();
     void update_surroundings();
+    void look_ahead(double dt);
     void sum_wall_force();
     void find_boundary_and_mean_pressure();
     void act_on_boundary();

@@ -120,12 +120,14 @@ void reconstruct_surface(Particles<D>& particles, Neighbours<D> const& neighbour
     particles.allocate(Fields<SurfaceNormal, Curvature, SurfaceArea, SurfaceFitted>{});
     auto const view = particles.view();
     auto const of_surface = [&](std::size_t i) { return view.template at<Surface>()[i] > 0; };
-    for_each(particles.size(), [&](std::size_t i) {
+    for_each(particles.owned(), [&](std::size_t i) {
         view.template set<SurfaceNormal>(
             i, of_surface(i) ? away_from_neighbours(view, neighbours, i, fit) : Vector<double, D>{});
         view.template at<Curvature>()[i] = view.template at<SurfaceArea>()[i] = view.template at<SurfaceFitted>()[i] =
             0;
     });
+
+    neighbours.images().refresh(particles, Fields<Surface, SurfaceNormal>{});
 
     Targets const surface = neighbours.targets(of_surface);
     std::vector<LocalSurface<D>> fits(surface.particles.size());
