@@ -44,7 +44,7 @@ struct ProbeKeys {
     std::string name, field = "pressure";
     std::vector<double> at;
     std::vector<std::string> rates, semi_axes;
-    std::string side = "1", angular_velocity = "1";
+    std::string side = "1", angular_velocity = "1", speed = "1";
     std::string flow = "steady", gap = "1", lower_velocity = "0", upper_velocity = "0", depth = "1";
     int mode = 2;
 };

@@ -159,7 +159,10 @@ void check_probes(Case const& c, Errors& errors) {
             say(errors, "probes.{}: a cavity needs a Newtonian liquid of a viscosity above 0 Pa s", k);
         if (probe.kind == "cavity" && !(value(probe.upper_velocity) > 0))
             say(errors, "probes.{}.upper_velocity = {} must be above 0 m/s", k, probe.upper_velocity);
-        if ((probe.kind == "patch" || probe.kind == "cavity") &&
+        if (probe.kind == "taylor-green" && !(c.fluid.rheology == "newtonian" && value(probe.speed) > 0))
+            say(errors, "probes.{}: the vortices of Taylor and Green need a Newtonian liquid and a speed above 0 m/s",
+                k);
+        if ((probe.kind == "patch" || probe.kind == "cavity" || probe.kind == "taylor-green") &&
             !(value(probe.side) > 0 && std::isfinite(value(probe.side))))
             say(errors, "probes.{}.side = {} must be finite and above 0 m", k, probe.side);
         if (probe.kind == "channel") {

@@ -13,6 +13,7 @@
 #include "coronet/cases/point_value.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/stretching_drop.hpp"
+#include "coronet/cases/taylor_green_probe.hpp"
 #include "coronet/cases/totals.hpp"
 
 namespace coronet {
@@ -166,6 +167,7 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if constexpr (D == 2) {
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
             if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe>(c));
+            if (keys.kind == "taylor-green") probes.push_back(std::make_unique<TaylorGreenProbe>(keys, c));
             if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe>(keys, c));
         }
     }

@@ -90,7 +90,7 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     auto const wants = [&](std::string const& kind) { return keys.everything() || probe.kind == kind; };
     std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
-    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode"});
+    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode", "taylor-green"});
     kinds.insert(kinds.end(), {"channel", "cavity", "hydrostatic"});
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
     if (wants("value")) {
@@ -111,9 +111,14 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
         keys.formulas({.path = path + ".semi_axes", .unit = "m", .meaning = "of the initial drop"}, probe.semi_axes,
                       dimension);
     }
-    if (wants("patch") || wants("cavity"))
-        keys.formula({.path = path + ".side", .unit = "m", .meaning = "of the initial square, or of the cavity"},
+    if (wants("patch") || wants("cavity") || wants("taylor-green"))
+        keys.formula({.path = path + ".side",
+                      .unit = "m",
+                      .meaning = "of the initial square, of the cavity, or of the periodic square"},
                      probe.side);
+    if (wants("taylor-green"))
+        keys.formula({.path = path + ".speed", .unit = "m/s", .meaning = "largest speed of the initial vortices"},
+                     probe.speed);
     if (wants("patch")) {
         keys.formula(
             {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
