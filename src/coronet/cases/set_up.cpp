@@ -157,6 +157,7 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.body_force = body_force<D>(c);
     auto const walls = fill_walls<D>(c);
     s.box = periodic_box<D>(c);
+    s.wall_contact = dx / std::sqrt(2);
     s.lattice_slope_moment = lattice_slope_moment<D>(c, s.kernel);
     s.implicit_viscosity = c.method.viscous_step == "implicit";
     s.solve = {c.method.tolerance, c.method.most_iterations};

@@ -14,6 +14,7 @@
 #include "coronet/terms/pressure_jump.hpp"
 #include "coronet/terms/stress_divergence.hpp"
 #include "coronet/terms/velocity_gradient.hpp"
+#include "coronet/terms/wall_contact.hpp"
 #include "coronet/terms/wall_continuity.hpp"
 
 namespace coronet {
@@ -22,7 +23,7 @@ using PlainGradients = Sum<VelocitySlopes>;
 using PlainGradientsAndSums = Sum<KernelSums, VelocitySlopes>;
 using CorrectedGradients = Sum<Moments, VelocitySlopes, VelocityJumps>;
 using MirrorSums = Sum<Moments, VelocitySlopes, VelocityJumps, PressureJumps>;
-using WallCorrections = Sum<WallContinuity>;
+using WallCorrections = Sum<WallContinuity, WallContact>;
 using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;
 using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;

@@ -83,12 +83,26 @@ Vector<double, D> Walls<D>::held_off(Particles<D> const& particles, Neighbours<D
 }
 
 template <int D>
-void Walls<D>::add_to_density_rate(Particles<D>& particles, Neighbours<D> const& neighbours) const {
+void Walls<D>::add_to_density_rate(Particles<D>& particles, Neighbours<D> const& neighbours) {
     if (near_.blocks() == 0) return;
     auto const view = particles.view();
-    auto const close = [&](std::size_t i, auto const& sums) { view.template at<DensityRate>()[i] += sums.drho; };
+    contact_.resize(particles.owned());
+    auto const close = [&](std::size_t i, auto const& sums) {
+        view.template at<DensityRate>()[i] += sums.drho;
+        contact_[i] = sums.dv;
+    };
+    WallContact const contact{settings_.contact_range, settings_.equation_of_state.c};
     // In full: with mixed precision velocities would be relative to a frame that the walls' own are not.
-    sweep(particles, neighbours, settings_.kernel, Precision::full, Part{near_, WallCorrections{}, OneByOne{close}});
+    sweep(particles, neighbours, settings_.kernel, Precision::full,
+          Part{near_, WallCorrections{{}, contact}, OneByOne{close}});
+}
+
+template <int D>
+void Walls<D>::add_contact(Particles<D>& particles) const {
+    auto const view = particles.view();
+    for_each(contact_.size(), [&](std::size_t i) {
+        if (is_near(i)) view.template set<Acceleration>(i, view.template get<Acceleration>(i) + contact_[i]);
+    });
 }
 
 template <int D>

@@ -39,6 +39,7 @@ struct WallSettings {
     /// sum V grad W (x_j - x_i) over a full lattice, a multiple of I: the corrected gradient that wall particles take
     /// part with is that of a lattice, L = I over this and q = 0.
     double lattice_slope_moment = 1;
+    double contact_range = 1;  ///< of terms/wall_contact.hpp [m]
 };
 
 template <int D>
@@ -54,8 +55,11 @@ public:
     /// images must be set.
     void look_at_liquid(Particles<D>& particles, Neighbours<D> const& neighbours) const;
 
-    /// Adds to the rate of density of the liquid what terms/wall_continuity.hpp says.
-    void add_to_density_rate(Particles<D>& particles, Neighbours<D> const& neighbours) const;
+    /// Adds to the rate of density of the liquid what terms/wall_continuity.hpp says, and finds what
+    /// terms/wall_contact.hpp does,
+    void add_to_density_rate(Particles<D>& particles, Neighbours<D> const& neighbours);
+    /// which this adds to Acceleration, once forces have set it.
+    void add_contact(Particles<D>& particles) const;
 
     /// Whether liquid particle i has wall particles in its row.
     bool is_near(std::size_t i) const { return !near_wall_.empty() && near_wall_[i] != 0; }
@@ -71,6 +75,7 @@ private:
     std::vector<std::size_t> wall_of_;  // each mirror
     std::vector<char> near_wall_;       // liquid that has wall particles in its row,
     Targets near_;                      // the same
+    std::vector<Vector<double, D>> contact_;  // acceleration of those by walls
 };
 
 }  // namespace coronet

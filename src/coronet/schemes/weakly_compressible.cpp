@@ -26,7 +26,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
       neighbours_(settings.kernel.support, settings.skin > 0 ? settings.skin : first_skin * settings.kernel.support,
                   settings.skin > 0 ? 0 : listing_cost, settings.box),
       walls_({settings.wall_motion, settings.body_force, settings.gravity, settings.equation_of_state, settings.liquid,
-              settings.kernel, settings.precision, settings.lattice_slope_moment}),
+              settings.kernel, settings.precision, settings.lattice_slope_moment, settings.wall_contact}),
       shifting_(settings.shifting, settings.kernel, settings.precision) {
     if (settings.implicit_viscosity) implicit_viscosity_.emplace(settings.kernel, settings.solve);
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
@@ -184,6 +184,7 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
     if (at_walls)
         phases_.act("walls", [&] {
             if (one_sweep() || !ahead) walls_.add_to_density_rate(particles_, neighbours_);
+            walls_.add_contact(particles_);
             sum_wall_force();
         });
     if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });

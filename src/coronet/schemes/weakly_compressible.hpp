@@ -74,6 +74,7 @@ public:
         SolveLimits solve;  ///< of an implicit viscosity
         PeriodicBox<D> box;
         double lattice_slope_moment = 1;                         ///< see WallSettings
+        double wall_contact = 1;                                 ///< contact_range there [m]
         std::function<void(double, Particles<D>&)> wall_motion;  ///< see WallSettings
     };
 
