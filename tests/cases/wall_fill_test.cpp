@@ -74,6 +74,50 @@ TEST(WallShapes, KnowHowFarTheyAreAndWhere) {
     }
 }
 
+TEST(WallShapes, EllipsesAreAsFarAsTheirNearestPoint) {
+    Wall ellipse = solid("ellipse", {0, 0});
+    ellipse.semi_axes = {2, 0.5};
+    auto const by_search = [&](Vector<double, 2> const& x) {
+        double least = 1e300;
+        for (int n = 0; n < 40000; ++n) {
+            double const angle = 2 * 3.14159265358979323846 * n / 40000;
+            least = std::min(least, std::hypot(x[0] - 2 * std::cos(angle), x[1] - 0.5 * std::sin(angle)));
+        }
+        return x[0] * x[0] / 4 + x[1] * x[1] / 0.25 < 1 ? -least : least;
+    };
+    for (Vector<double, 2> const& x :
+         {Vector<double, 2>{{0, 0}}, {{1.9, 0}}, {{0.3, 0}}, {{0, 0.2}}, {{3, 1}}, {{-1, -0.3}}, {{-0.1, 4}}, {{2, 0.5}}}) {
+        auto const point = nearest_wall_point(ellipse, x);
+        EXPECT_NEAR(point.distance, by_search(x), 1e-7);
+        auto const on = x - point.distance * point.normal;
+        EXPECT_NEAR(on[0] * on[0] / 4 + on[1] * on[1] / 0.25, 1, 1e-9);
+    }
+    Wall ball = solid("ellipse", {0, 0, 0});
+    ball.semi_axes = {0.5, 0.5, 0.5};
+    EXPECT_NEAR(nearest_wall_point(ball, Vector<double, 3>{{0, 0.3, 0.4}}).distance, 0, 1e-12);
+    EXPECT_NEAR(nearest_wall_point(ball, Vector<double, 3>{{0.1, 0, 0}}).distance, -0.4, 1e-9);
+}
+
+TEST(WallFill, KeepsApartWhatMovesApart) {
+    // A plate on the floor that is lifted: the floor below it must be there, and look up.
+    std::string const plate = "[[walls]]\nkind = 'box'\nsolid = 'inside'\ncentre = [0.5, 0.2]\nsize = [0.4, 0.4]\n";
+    auto const still = fill_walls<2>(tank(open_box + plate));
+    auto const lifted = fill_walls<2>(tank(open_box + plate + "displacement = [0, '0.1*t']\n"));
+    auto const alone = fill_walls<2>(tank(open_box));
+    std::size_t floor = 0;
+    for (std::size_t k = 0; k < lifted.size(); ++k) floor += lifted.wall[k] == 0;
+    EXPECT_EQ(floor, alone.size());
+    EXPECT_EQ(lifted.size() - floor, 16u);
+    auto const looks_up = [&](WallSeeds<2> const& walls) {  // as if there were no plate
+        bool same = true;
+        for (std::size_t k = 0; k < alone.size(); ++k)
+            same = same && norm2(walls.to_mirror[k] - alone.to_mirror[k]) == 0;
+        return same;
+    };
+    EXPECT_TRUE(looks_up(lifted));
+    EXPECT_FALSE(looks_up(still));
+}
+
 TEST(WallFill, HasAsManyLayersAsTheKernelSees) {
     auto const c = tank(open_box);
     auto const walls = fill_walls<2>(c);

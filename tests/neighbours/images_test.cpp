@@ -62,8 +62,7 @@ std::map<std::int64_t, std::vector<std::int64_t>> all_pairs(Particles<2> const& 
     for (std::size_t i = 0; i < particles.end(Role::mirror); ++i) {
         auto& row = rows[particles.id[i]];
         Role const own = particles.role(i);
-        if (own == Role::wall) continue;
-        for (std::size_t j = 0; j < particles.end(own == Role::mirror ? Role::liquid : Role::wall); ++j) {
+        for (std::size_t j = 0; j < particles.end(own == Role::liquid ? Role::wall : Role::liquid); ++j) {
             auto d = view.get<Position>(i) - view.get<Position>(j);
             for (int k = 0; k < 2; ++k) d[k] -= box.size[k] * std::round(d[k] / box.size[k]);
             if (i != j && norm2(d) < support * support) row.push_back(particles.id[j]);

@@ -7,14 +7,19 @@ namespace {
 
 void describe_wall(Keys& keys, Wall& wall, std::string const& path, int dimension) {
     auto const wants = [&](std::string const& kind) { return keys.everything() || wall.kind == kind; };
-    Keys::Words kinds{"box", dimension == 2 ? "disc" : "ball"};
+    Keys::Words kinds{"box", "ellipse", dimension == 2 ? "disc" : "ball"};
     if (keys.everything()) kinds.push_back("ball");
     if (dimension == 2) kinds.push_back("polygon");
+    if (dimension == 3 || keys.everything()) kinds.push_back("mesh");
     std::vector<double> const origin(static_cast<std::size_t>(dimension), 0.0);
     std::vector<double> const unit(static_cast<std::size_t>(dimension), 1.0);
     std::vector<std::string> const none(static_cast<std::size_t>(dimension), "0");
 
-    keys.choice({.path = path + ".kind", .meaning = "form of the surface", .required = true}, wall.kind, kinds);
+    keys.text({.path = path + ".name", .meaning = "by which a probe calls it; nothing: none does"}, wall.name);
+    keys.choice({.path = path + ".kind",
+                 .meaning = "form of the surface; an ellipse in 3D is an ellipsoid, a mesh is read from a file",
+                 .required = true},
+                wall.kind, kinds);
     keys.choice({.path = path + ".solid", .meaning = "which side of the surface is solid"}, wall.solid,
                 {"outside", "inside"});
     if (wall.centre.empty()) wall.centre = origin;
@@ -32,6 +37,23 @@ void describe_wall(Keys& keys, Wall& wall, std::string const& path, int dimensio
                       .meaning = "of a polygon, from the centre: x, y of one after another",
                       .required = true},
                      wall.corners, Keys::any_even_size);
+    if (wants("ellipse")) {
+        if (wall.semi_axes.empty()) wall.semi_axes = unit;
+        keys.numbers({.path = path + ".semi_axes", .unit = "m", .meaning = "of an ellipse", .above = 0}, wall.semi_axes,
+                     dimension);
+    }
+    if (wants("mesh")) {
+        keys.text({.path = path + ".file",
+                   .meaning = "of a mesh: a closed surface of triangles, .stl (ASCII or binary) or .obj; its path from "
+                              "the folder of the case",
+                   .required = true},
+                  wall.file);
+        keys.number({.path = path + ".unit",
+                     .unit = "m",
+                     .meaning = "length of a unit of the file: 0.001 if it is in millimetres",
+                     .above = 0},
+                    wall.unit);
+    }
     keys.number({.path = path + ".rotation", .unit = "degrees", .meaning = "turn about its centre, in the x-y plane"},
                 wall.rotation);
     keys.choice({.path = path + ".slip", .meaning = "none: liquid sticks to it; free: liquid slides along it"},
@@ -42,6 +64,15 @@ void describe_wall(Keys& keys, Wall& wall, std::string const& path, int dimensio
                    .meaning = "of a surface that slides along itself, as a lid or a turning cylinder does: the wall "
                               "stays where it is"},
                   wall.surface_velocity, dimension);
+    if (wall.displacement.empty()) wall.displacement = none;
+    keys.formulas({.path = path + ".displacement",
+                   .unit = "m",
+                   .meaning = "of the whole wall at time t, from where it is at t = 0"},
+                  wall.displacement, dimension);
+    keys.formula({.path = path + ".turn",
+                  .unit = "degrees",
+                  .meaning = "of the whole wall at time t, about its centre in the x-y plane"},
+                 wall.turn);
 }
 
 }  // namespace

@@ -3,9 +3,10 @@
 
 // A case: plain data that say what to simulate. SI units, angles in degrees. Every member is a key of the case file,
 // described once in describe(), which reading, writing, checking and the reference page all share; but for what comes
-// of the flow curve, if one is named.
+// of the files that it names, a flow curve or a wall's surface.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,12 +32,18 @@ struct Shape {
     std::vector<Cut> cuts;
 };
 
+class ClosedSurface;
+
 /// A wall: one side of a surface is solid.
 struct Wall {
-    std::string kind = "box", solid = "outside", slip = "none";
-    std::vector<double> centre, size, corners;
+    std::string name, kind = "box", solid = "outside", slip = "none";
+    std::vector<double> centre, size, semi_axes, corners;
     double radius = 1, rotation = 0;
-    std::vector<std::string> surface_velocity;
+    std::string file;
+    double unit = 1;  ///< of the file [m]
+    std::vector<std::string> surface_velocity, displacement;
+    std::string turn = "0";
+    std::shared_ptr<ClosedSurface const> surface;  ///< what the file holds
 };
 
 struct ProbeKeys {
@@ -45,8 +52,10 @@ struct ProbeKeys {
     std::vector<double> at;
     std::vector<std::string> rates, semi_axes;
     std::string side = "1", angular_velocity = "1", speed = "1";
-    std::string flow = "steady", gap = "1", lower_velocity = "0", upper_velocity = "0", depth = "1";
+    std::string flow = "steady", gap = "1", lower_velocity = "0", upper_velocity = "0", depth = "1", width = "1";
     int mode = 2;
+    std::string wall, radius = "1";
+    double sensor_width = 0;
 };
 
 struct Case {

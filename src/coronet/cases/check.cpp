@@ -17,6 +17,7 @@
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/cases/shapes.hpp"
+#include "coronet/cases/wall_check.hpp"
 #include "coronet/cases/wall_fill.hpp"
 #include "coronet/core/error.hpp"
 #include "coronet/surface/tension.hpp"
@@ -24,13 +25,6 @@
 namespace coronet {
 
 namespace {
-
-using Errors = std::vector<std::string>;
-
-template <class... Parts>
-void say(Errors& errors, fmt::format_string<Parts...> text, Parts&&... parts) {
-    errors.push_back(fmt::format(text, std::forward<Parts>(parts)...));
-}
 
 constexpr double most_particles = 5e8, most_frames = 1e6, most_rows = 1e8, most_steps = 1e10;
 constexpr double least_mixed_radius = 1e-7;  // [m]; W'/r in 3D is of order 1/H^5, and a float ends at 1e38
@@ -44,7 +38,7 @@ void check_names(Case const& c, Errors& errors) {
     if (!plain(c.name, "-_.") || c.name.front() == '.')
         say(errors, "name = '{}' cannot name a directory: use letters, digits, -, _ and .", c.name);
     for (std::size_t k = 0; k < c.probes.size(); ++k)
-        if (c.probes[k].kind == "value" && !plain(c.probes[k].name, "_"))
+        if ((c.probes[k].kind == "value" || c.probes[k].kind == "sensor") && !plain(c.probes[k].name, "_"))
             say(errors, "probes.{}.name = '{}' cannot name a column: use letters, digits and _", k, c.probes[k].name);
 }
 
@@ -62,10 +56,7 @@ void check_shapes(Case const& c, Errors& errors) {
                     "the case to x = 0",
                     k, fmt::join(c.shapes[k].centre, ", "));
     }
-    for (std::size_t k = 0; k < c.walls.size(); ++k)
-        if (c.walls[k].kind == "polygon" && c.walls[k].corners.size() < 6)
-            say(errors, "walls.{}.corners has {} corners: a polygon needs three or more", k,
-                c.walls[k].corners.size() / 2);
+    check_walls(c, errors);
     double const expected = expected_particles<D>(c);
     for (std::size_t k = 0; k < c.shapes.size(); ++k)
         if (auto const half = half_extents<D>(c.shapes[k]); std::sqrt(norm2(half)) > 1e9 * dx)
@@ -182,9 +173,20 @@ void check_probes(Case const& c, Errors& errors) {
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
-    auto const has_profile = [](ProbeKeys const& probe) { return probe.kind == "channel" || probe.kind == "cavity"; };
+    for (std::size_t k = 0; k < c.probes.size(); ++k) {
+        check_wall_probe(c, k, errors);
+        if (c.walls.empty() || (c.probes[k].kind != "sensor" && c.probes[k].kind != "dam-break")) continue;
+        Vector<double, D> at;
+        for (int a = 0; a < D; ++a) at[a] = c.probes[k].at[static_cast<std::size_t>(a)];
+        if (double const away = -Solid<D>(c).deepest(at).depth; away > c.particles.spacing)
+            say(errors, "probes.{}.at = [{}] is {:.4g} m from the nearest wall: a sensor is on its surface", k,
+                fmt::join(c.probes[k].at, ", "), away);
+    }
+    auto const has_profile = [](ProbeKeys const& probe) {
+        return probe.kind == "channel" || probe.kind == "cavity" || probe.kind == "drag";
+    };
     if (c.time.settled > 0 && std::none_of(c.probes.begin(), c.probes.end(), has_profile))
-        say(errors, "time.settled = {} wants a probe with a profile, of kind channel or cavity", c.time.settled);
+        say(errors, "time.settled = {} wants a probe with a profile, of kind channel, cavity or drag", c.time.settled);
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());

@@ -5,6 +5,8 @@
 
 #include "coronet/cases/cavity_probe.hpp"
 #include "coronet/cases/channel_probe.hpp"
+#include "coronet/cases/dam_break_probe.hpp"
+#include "coronet/cases/drag_probe.hpp"
 #include "coronet/cases/drop_probe.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/hydrostatic_probe.hpp"
@@ -15,6 +17,7 @@
 #include "coronet/cases/stretching_drop.hpp"
 #include "coronet/cases/taylor_green_probe.hpp"
 #include "coronet/cases/totals.hpp"
+#include "coronet/cases/wall_force_probe.hpp"
 
 namespace coronet {
 
@@ -164,7 +167,12 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "cavity") probes.push_back(std::make_unique<CavityProbe<D>>(keys, c));
         if (keys.kind == "hydrostatic") probes.push_back(std::make_unique<HydrostaticProbe<D>>(keys, c));
         if (keys.kind == "channel") probes.push_back(std::make_unique<ChannelProbe<D>>(keys, c));
+        if (keys.kind == "wall-force") probes.push_back(std::make_unique<WallForceProbe<D>>(keys, c));
+        if (keys.kind == "sensor") probes.push_back(std::make_unique<SensorProbe<D>>(keys, c));
+        if constexpr (D == 3)
+            if (keys.kind == "drag") probes.push_back(std::make_unique<DragProbe>(keys, c));
         if constexpr (D == 2) {
+            if (keys.kind == "dam-break") probes.push_back(std::make_unique<DamBreakProbe>(keys, c));
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
             if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe>(c));
             if (keys.kind == "taylor-green") probes.push_back(std::make_unique<TaylorGreenProbe>(keys, c));

@@ -17,6 +17,7 @@
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/nearest.hpp"
+#include "coronet/cases/wall_check.hpp"
 #include "coronet/core/error.hpp"
 
 namespace coronet {
@@ -367,6 +368,7 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
     describe(reader, c);
     reader.finish();
     if (!c.fluid.flow_curve.empty()) fit_rheology(c, file);
+    read_surfaces(c, file);
     check_physics(c, file);
     return c;
 }

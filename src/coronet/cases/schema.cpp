@@ -7,6 +7,7 @@
 #include "coronet/cases/boundaries.hpp"
 #include "coronet/cases/case.hpp"
 #include "coronet/cases/fluid.hpp"
+#include "coronet/cases/probe_keys.hpp"
 #include "coronet/kernels/kernel.hpp"
 
 namespace coronet {
@@ -84,71 +85,6 @@ void describe_drop(Keys& keys, Case& c) {
         shape.amplitude = c.drop.amplitude;
         shape.mode = c.drop.mode;
     }
-}
-
-void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int dimension) {
-    auto const wants = [&](std::string const& kind) { return keys.everything() || probe.kind == kind; };
-    std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
-    Keys::Words kinds{"value", "angular-momentum", "stretching"};
-    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode", "taylor-green"});
-    kinds.insert(kinds.end(), {"channel", "cavity", "hydrostatic"});
-    keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
-    if (wants("value")) {
-        keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
-        keys.choice({.path = path + ".field", .meaning = "the field whose value is taken"}, probe.field,
-                    {"pressure", "density", "speed"});
-        if (probe.at.empty()) probe.at.assign(static_cast<std::size_t>(dimension), 0.0);
-        keys.numbers({.path = path + ".at", .unit = "m", .meaning = "where; 0 is read where there is no liquid"},
-                     probe.at, dimension);
-    }
-    if (wants("stretching")) {
-        keys.formulas({.path = path + ".rates",
-                       .unit = "1/s",
-                       .meaning = "the initial velocity is rates_k x_k; with the exact drop of that flow",
-                       .required = true},
-                      probe.rates, dimension);
-        if (probe.semi_axes.empty()) probe.semi_axes = ones;
-        keys.formulas({.path = path + ".semi_axes", .unit = "m", .meaning = "of the initial drop"}, probe.semi_axes,
-                      dimension);
-    }
-    if (wants("patch") || wants("cavity") || wants("taylor-green"))
-        keys.formula({.path = path + ".side",
-                      .unit = "m",
-                      .meaning = "of the initial square, of the cavity, or of the periodic square"},
-                     probe.side);
-    if (wants("taylor-green"))
-        keys.formula({.path = path + ".speed", .unit = "m/s", .meaning = "largest speed of the initial vortices"},
-                     probe.speed);
-    if (wants("patch")) {
-        keys.formula(
-            {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
-            probe.angular_velocity);
-    }
-    if (wants("cavity") || wants("channel"))
-        keys.formula({.path = path + ".upper_velocity",
-                      .unit = "m/s",
-                      .meaning = "of the upper plate of a channel or the lid of a cavity, along x"},
-                     probe.upper_velocity);
-    if (wants("channel")) {
-        keys.choice({.path = path + ".flow", .meaning = "what the exact flow is: steady, or from rest at t = 0"},
-                    probe.flow, {"steady", "from-rest"});
-        keys.formula({.path = path + ".gap",
-                      .unit = "m",
-                      .meaning = "between plates at y = -gap/2 and gap/2; gravity and body force drive along x"},
-                     probe.gap);
-        keys.formula({.path = path + ".lower_velocity", .unit = "m/s", .meaning = "of the lower plate, along x"},
-                     probe.lower_velocity);
-    }
-    if (wants("hydrostatic"))
-        keys.formula({.path = path + ".depth", .unit = "m", .meaning = "of the liquid at rest, along gravity"},
-                     probe.depth);
-    if (wants("mode"))
-        keys.integer({.path = path + ".mode",
-                      .unit = "-",
-                      .meaning = "n of the amplitude of cos(n theta) on a drop",
-                      .at_least = 2,
-                      .at_most = 100},
-                     probe.mode);
 }
 
 void describe_shifting(Keys& keys, Case& c) {

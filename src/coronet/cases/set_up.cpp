@@ -7,6 +7,7 @@
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/wall_fill.hpp"
+#include "coronet/cases/wall_motion.hpp"
 #include "coronet/schemes/incompressible.hpp"
 #include "coronet/schemes/weakly_compressible.hpp"
 
@@ -30,27 +31,6 @@ std::function<void(double, View<D> const&, std::size_t, std::size_t)> body_force
         for (std::size_t i = begin; i < end; ++i) {
             auto const x = view.template get<Position>(i);
             for (int k = 0; k < D; ++k) view.template at<Acceleration>(k)[i] += (*force)[k](x, time);
-        }
-    };
-}
-
-/// The velocity of the walls' surfaces, by the identity of wall particles; empty where all are at rest.
-template <int D>
-std::function<void(double, Particles<D>&)> wall_motion(Case const& c, std::vector<std::size_t> wall) {
-    auto const rests = [](Wall const& w) {
-        return std::all_of(w.surface_velocity.begin(), w.surface_velocity.end(),
-                           [](std::string const& text) { return text == "0"; });
-    };
-    if (std::all_of(c.walls.begin(), c.walls.end(), rests)) return {};
-    auto velocity = std::make_shared<std::vector<std::vector<Formula>>>();
-    for (Wall const& w : c.walls) velocity->push_back(formulas(w.surface_velocity, c));
-    return [velocity, wall](double time, Particles<D>& particles) {
-        auto const view = particles.view();
-        std::size_t const first = particles.begin(Role::wall);
-        for (std::size_t i = first; i < particles.end(Role::wall); ++i) {
-            auto const on_surface = view.template get<Position>(i) + 0.5 * view.template get<ToMirror>(i);
-            auto& formula = (*velocity)[wall[static_cast<std::size_t>(particles.id[i]) - first]];
-            for (int k = 0; k < D; ++k) view.template at<WallVelocity>(k)[i] = formula[k](on_surface, time);
         }
     };
 }
@@ -83,7 +63,7 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D>
         view.template set<Surface>(i, seeds.surface[i]);
         state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
     }
-    if (walls.size() > 0) state.particles.allocate(Fields<WallVelocity, ToMirror, Slip>{});
+    if (walls.size() > 0) state.particles.allocate(Fields<WallVelocity, ToMirror, Slip, WallNumber, WallForce>{});
     auto const with_walls = state.particles.view();
     for (std::size_t k = 0; k < walls.size(); ++k) {
         std::size_t const w = state.particles.begin(Role::wall) + k, mirror = state.particles.begin(Role::mirror) + k;
@@ -91,6 +71,7 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D>
         with_walls.template set<Position>(mirror, walls.position[k] + walls.to_mirror[k]);
         with_walls.template set<ToMirror>(w, walls.to_mirror[k]);
         with_walls.template set<Slip>(w, c.walls[walls.wall[k]].slip == "free");
+        with_walls.template set<WallNumber>(w, static_cast<double>(walls.wall[k]));
         with_walls.template set<Mass>(w, c.fluid.density * seeds.volume);
     }
     auto const mean =
@@ -161,7 +142,7 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.lattice_slope_moment = lattice_slope_moment<D>(c, s.kernel);
     s.implicit_viscosity = c.method.viscous_step == "implicit";
     s.solve = {c.method.tolerance, c.method.most_iterations};
-    s.wall_motion = wall_motion<D>(c, walls.wall);
+    s.wall_motion = wall_motion<D>(c, walls);
     return std::make_unique<WeaklyCompressible<D>>(s, initial_state(c, fill<D>(c), walls).particles);
 }
 

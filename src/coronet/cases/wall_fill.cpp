@@ -40,10 +40,23 @@ double lattice_slope_moment(Case const& c, Kernel const& kernel) {
     return trace / D;
 }
 
+bool moves(Wall const& wall) {
+    auto const zero = [](std::string const& text) { return text == "0"; };
+    return wall.turn != "0" || !std::all_of(wall.displacement.begin(), wall.displacement.end(), zero);
+}
+
+template <int D>
+Solid<D>::Solid(Case const& c, Wall const* one) : walls_(c.walls), slack_(1e-9 * c.particles.spacing) {
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+        bool const with_it = one && (moves(*one) ? &walls_[k] == one : !moves(walls_[k]));
+        if (!one || with_it) own_.push_back(k);
+    }
+}
+
 template <int D>
 auto Solid<D>::deepest(Vector<double, D> const& x) const -> Depth {
     Depth found;
-    for (std::size_t k = 0; k < walls_.size(); ++k) {
+    for (std::size_t const k : own_) {
         auto const point = nearest_wall_point(walls_[k], x);
         if (-point.distance > found.depth) found = {-point.distance, point.normal, k};
     }
@@ -54,12 +67,13 @@ template <int D>
 WallSeeds<D> fill_walls(Case const& c) {
     double const dx = c.particles.spacing, slack = 1e-9 * dx, reach = c.method.support * dx;
     Lattice<D> const lattice(c);
-    Solid<D> const solid(c);
     auto const box = periodic_box<D>(c);
 
     WallSeeds<D> seeds;
-    std::set<std::array<int, D>> laid;  // by an earlier wall
+    std::set<std::array<int, D>> laid;  // by an earlier wall at rest
     for (Wall const& wall : c.walls) {
+        Solid<D> const solid(c, &wall);
+        bool const alone = moves(wall);
         auto const half = half_extents<D>(wall);
         // The part of the wall's surroundings that is in the box.
         Vector<double, D> centre, around;
@@ -79,7 +93,7 @@ WallSeeds<D> fill_walls(Case const& c) {
             auto const own = nearest_wall_point(wall, x);
             if (own.distance >= slack || own.distance < -reach) return;
             auto const first = solid.deepest(x);
-            if (first.depth > reach || (c.walls.size() > 1 && !laid.insert(n).second)) return;
+            if (first.depth > reach || (!alone && c.walls.size() > 1 && !laid.insert(n).second)) return;
             auto mirror = x;
             auto at = first;
             for (int k = 0; k < D && at.depth > -slack; ++k, at = solid.deepest(mirror))

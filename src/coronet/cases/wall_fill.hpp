@@ -3,7 +3,8 @@
 
 // Lays wall particles on the lattice of the liquid: all points of the solid, the union of the case's walls, from which
 // liquid at the surface can be seen. The mirror of a point is found by reflecting it at the wall that it is deepest in,
-// until it is in none: in a corner of two walls twice.
+// until it is in none: in a corner of two walls twice. A wall that moves is a solid of its own, and those at rest are
+// another: particles and mirrors of each stay right wherever the others go.
 
 #include <vector>
 
@@ -31,10 +32,14 @@ bool is_in(PeriodicBox<D> const& box, Vector<double, D> const& x, double slack) 
 template <int D>
 double lattice_slope_moment(Case const& c, Kernel const& kernel);
 
+/// Whether a wall moves as a whole.
+bool moves(Wall const& wall);
+
 template <int D>
 class Solid {
 public:
-    explicit Solid(Case const& c) : walls_(c.walls), slack_(1e-9 * c.particles.spacing) {}
+    /// Of all walls, or of those that move with `one`.
+    explicit Solid(Case const& c, Wall const* one = nullptr);
 
     bool holds(Vector<double, D> const& x) const { return deepest(x).depth > -slack_; }
 
@@ -47,6 +52,7 @@ public:
 
 private:
     std::vector<Wall> const& walls_;
+    std::vector<std::size_t> own_;  // which of them
     double slack_;  // what is on the surface but for round-off is in the solid
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coronet/cases/closed_surface.hpp"
 #include "coronet/cases/shapes.hpp"
 
 namespace coronet {
@@ -34,6 +35,40 @@ WallPoint<D> of_ball(Vector<double, D> const& x, double radius) {
     normal[0] = 1;
     if (r > 0) normal = (1 / r) * x;
     return {r - radius, normal};
+}
+
+/// The nearest point y of an ellipse (ellipsoid) of semi-axes a has x - y along the normal there, so that
+/// y_k = a_k^2 x_k/(a_k^2 + t) with sum (y_k/a_k)^2 = 1: that sum falls with t > -least a^2, and the root is found by
+/// bisection of t + least a^2, which may be tiny.
+template <int D>
+WallPoint<D> of_ellipse(Vector<double, D> x, std::vector<double> const& a) {
+    double const least = *std::min_element(a.begin(), a.end());
+    Vector<double, D> scaled;
+    for (int k = 0; k < D; ++k) {  // off the axes, where two points may be as near
+        x[k] = std::copysign(std::max(std::fabs(x[k]), 1e-12 * a[k]), x[k]);
+        scaled[k] = a[k] * x[k];
+    }
+    double low = 0, high = std::sqrt(norm2(scaled));
+    auto const nearest = [&](double t) {
+        Vector<double, D> y;
+        for (int k = 0; k < D; ++k) y[k] = a[k] * scaled[k] / ((a[k] - least) * (a[k] + least) + t);
+        return y;
+    };
+    auto const over = [&](Vector<double, D> const& y) {
+        double sum = 0;
+        for (int k = 0; k < D; ++k) sum += y[k] * y[k] / (a[k] * a[k]);
+        return sum;
+    };
+    for (int n = 0; n < 300; ++n) {
+        double const middle = (low + high) / 2;
+        if (middle <= low || middle >= high) break;
+        (over(nearest(middle)) > 1 ? low : high) = middle;
+    }
+    auto const y = nearest(high);
+    Vector<double, D> normal;
+    for (int k = 0; k < D; ++k) normal[k] = y[k] / (a[k] * a[k]);
+    normal = (1 / std::sqrt(norm2(normal))) * normal;
+    return {dot(x - y, normal), normal};
 }
 
 /// A polygon's corners are the items of its list two by two.
@@ -68,9 +103,16 @@ WallPoint<D> nearest_wall_point(Wall const& wall, Vector<double, D> const& x) {
     Vector<double, D> from_centre;
     for (int k = 0; k < D; ++k) from_centre[k] = x[k] - wall.centre[k];
     auto const y = turned(from_centre, -wall.rotation);
-    WallPoint<D> point = wall.kind == "box" ? of_box(y, wall.size) : of_ball(y, wall.radius);
+    WallPoint<D> point = wall.kind == "box"       ? of_box(y, wall.size)
+                         : wall.kind == "ellipse" ? of_ellipse(y, wall.semi_axes)
+                                                  : of_ball(y, wall.radius);
     if constexpr (D == 2)
         if (wall.kind == "polygon") point = of_polygon(y, wall.corners);
+    if constexpr (D == 3)
+        if (wall.kind == "mesh") {
+            auto const nearest = wall.surface->nearest(y);
+            point = {nearest.distance, nearest.normal};
+        }
     point.normal = turned(point.normal, wall.rotation);
     return wall.solid == "inside" ? point : WallPoint<D>{-point.distance, -point.normal};
 }
@@ -78,7 +120,12 @@ WallPoint<D> nearest_wall_point(Wall const& wall, Vector<double, D> const& x) {
 template <int D>
 Vector<double, D> half_extents(Wall const& wall) {
     Vector<double, D> half;
-    for (int k = 0; k < D; ++k) half[k] = wall.kind == "box" ? wall.size[k] / 2 : wall.radius;
+    for (int k = 0; k < D; ++k)
+        half[k] = wall.kind == "box"       ? wall.size[k] / 2
+                  : wall.kind == "ellipse" ? wall.semi_axes[k]
+                  : wall.kind == "mesh"
+                      ? std::max(std::fabs(wall.surface->low()[k]), std::fabs(wall.surface->high()[k]))
+                      : wall.radius;
     if (wall.kind == "polygon")
         for (int k = 0; k < D; ++k) {
             half[k] = 0;

@@ -52,6 +52,8 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(WallVelocity, v_wall, vector, "m/s", "of the wall's surface, at a wall particle")                      \
     X(ToMirror, to_mirror, vector, "m", "from a wall particle to its mirror image in the liquid")            \
     X(Slip, slip, scalar, "-", "1 at a wall particle behind a wall that liquid slips along, else 0")         \
+    X(WallNumber, wall, scalar, "-", "which of the case's walls a wall particle fills, from 0")              \
+    X(WallForce, f_wall, vector, "N", "of the liquid on a wall particle (per metre of depth in 2D)")         \
     X(Sample, f, scalar, "-", "a sampled function of position, of any unit")                                 \
     X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
     X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \

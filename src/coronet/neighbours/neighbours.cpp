@@ -196,8 +196,7 @@ void Neighbours<D>::list(Particles<D>& particles) {
             auto const x = view.template get<Position>(i);
             Role const own = particles.role(i);
             auto const wanted = [&](Role role) {
-                if (own == Role::mirror) return role == Role::liquid || role == Role::liquid_image;
-                return own == Role::liquid && role != Role::mirror;
+                return own == Role::liquid ? role != Role::mirror : role == Role::liquid || role == Role::liquid_image;
             };
             grid_.for_rows_around(x, wanted, [&](Range range) {
                 std::size_t const room = used + static_cast<std::size_t>(range.last - range.first) + pack_size<float>;
@@ -226,7 +225,11 @@ void Neighbours<D>::list(Particles<D>& particles) {
 
     all_ = {};
     cut(all_, particles.owned());
-    mirrors_ = targets(particles.begin(Role::mirror), rows_end, [](std::size_t) { return true; });
+    auto const all_of = [&](Role role) {
+        return targets(particles.begin(role), particles.end(role), [](std::size_t) { return true; });
+    };
+    walls_ = all_of(Role::wall);
+    mirrors_ = all_of(Role::mirror);
 }
 
 template <int D>

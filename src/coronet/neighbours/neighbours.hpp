@@ -15,7 +15,7 @@
 // clock, so results stay the same from run to run.
 //
 // Rows hold each pair twice (j in the row of i, i in the row of j): every particle gathers its own sums. Liquid has all
-// others in its rows but mirrors, mirrors have liquid alone; wall particles and images have no rows.
+// others in its rows but mirrors, wall particles and mirrors have liquid alone; images have no rows.
 
 #include <ranges>
 #include <span>
@@ -66,6 +66,7 @@ public:
     }
     /// All that is advanced.
     Targets const& all() const { return all_; }
+    Targets const& walls() const { return walls_; }
     Targets const& mirrors() const { return mirrors_; }
 
     /// Targets for the particles among all() that `chosen` says; their blocks are cut by the same rule.
@@ -111,7 +112,7 @@ private:
     /// skin needs in any but a huge domain, where `rounding_` is taken off the skin.
     std::vector<float> listed_[D];
     double rounding_ = 0;  // [m]
-    Targets all_, mirrors_;
+    Targets all_, walls_, mirrors_;
     std::size_t listings_ = 0, updates_ = 0;  // updates since the last listing that saw motion
     double spread_ = 0;                       // of displacements since then, among particles that can meet [m]
     std::vector<Displacements> displaced_;    // of each block of cells

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "coronet/cases/closed_surface.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/read.hpp"
 #include "coronet/cases/set_up.hpp"
@@ -112,6 +113,16 @@ RunStatus run_case(Case const& c, RunOptions const& options) {
     if (c.flow_curve_fit) {
         as_run.fluid.flow_curve = "flow_curve.csv";
         write_whole(options.directory / as_run.fluid.flow_curve, write_flow_curve(*c.flow_curve_fit));
+    }
+    for (std::size_t k = 0; k < c.walls.size(); ++k) {
+        if (!c.walls[k].surface) continue;
+        std::filesystem::path const source = c.walls[k].surface->file();
+        as_run.walls[k].file = fmt::format("wall_{}{}", k, source.extension().string());
+        auto const copy = options.directory / as_run.walls[k].file;
+        std::error_code failed;
+        if (!fs::equivalent(source, copy, failed))
+            fs::copy_file(source, copy, fs::copy_options::overwrite_existing, failed);
+        if (failed && !fs::exists(copy)) throw CaseError(fmt::format("{} cannot be written", copy.string()));
     }
     write_whole(options.directory / "case.toml", write_case(as_run));
     return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);

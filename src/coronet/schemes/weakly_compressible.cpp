@@ -8,6 +8,7 @@
 #include "coronet/schemes/check_state.hpp"
 #include "coronet/schemes/laws.hpp"
 #include "coronet/schemes/stress_close.hpp"
+#include "coronet/schemes/wall_forces.hpp"
 
 namespace coronet {
 
@@ -369,6 +370,7 @@ template <int D>
 void WeaklyCompressible<D>::refresh() {
     if (settings_.shift_range > 0) conserving_shift_.emplace(settings_.shift_range);
     update_state();
+    find_wall_forces(particles_, neighbours_, settings_);
 }
 
 template <int D>

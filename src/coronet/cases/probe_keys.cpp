@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/cases/probe_keys.hpp"
+
+namespace coronet {
+
+void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int dimension) {
+    auto const wants = [&](std::string const& kind) { return keys.everything() || probe.kind == kind; };
+    std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
+    Keys::Words kinds{"value", "angular-momentum", "stretching"};
+    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode", "taylor-green"});
+    kinds.insert(kinds.end(), {"channel", "cavity", "hydrostatic", "wall-force", "sensor"});
+    if (dimension == 2) kinds.push_back("dam-break");
+    if (dimension == 3 || keys.everything()) kinds.push_back("drag");
+    keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
+    if (wants("value") || wants("sensor"))
+        keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
+    if (wants("value"))
+        keys.choice({.path = path + ".field", .meaning = "the field whose value is taken"}, probe.field,
+                    {"pressure", "density", "speed"});
+    if (wants("value") || wants("sensor") || wants("dam-break")) {
+        if (probe.at.empty()) probe.at.assign(static_cast<std::size_t>(dimension), 0.0);
+        keys.numbers({.path = path + ".at",
+                      .unit = "m",
+                      .meaning = "where, of a sensor on the surface of a wall; 0 is read where there is no liquid"},
+                     probe.at, dimension);
+    }
+    if (wants("sensor") || wants("dam-break"))
+        keys.number({.path = path + ".sensor_width",
+                     .unit = "m",
+                     .meaning = "of the face of a pressure sensor, along the wall: a line, in 3D a square",
+                     .at_least = 0},
+                    probe.sensor_width);
+    if (wants("wall-force") || wants("drag"))
+        keys.text({.path = path + ".wall", .meaning = "name of the wall whose force is taken", .required = true},
+                  probe.wall);
+    if (wants("drag"))
+        keys.formula({.path = path + ".radius", .unit = "m", .meaning = "of the sphere, in a periodic cube"},
+                     probe.radius);
+    if (wants("stretching")) {
+        keys.formulas({.path = path + ".rates",
+                       .unit = "1/s",
+                       .meaning = "the initial velocity is rates_k x_k; with the exact drop of that flow",
+                       .required = true},
+                      probe.rates, dimension);
+        if (probe.semi_axes.empty()) probe.semi_axes = ones;
+        keys.formulas({.path = path + ".semi_axes", .unit = "m", .meaning = "of the initial drop"}, probe.semi_axes,
+                      dimension);
+    }
+    if (wants("patch") || wants("cavity") || wants("taylor-green"))
+        keys.formula({.path = path + ".side",
+                      .unit = "m",
+                      .meaning = "of the initial square, of the cavity, or of the periodic square"},
+                     probe.side);
+    if (wants("taylor-green"))
+        keys.formula({.path = path + ".speed", .unit = "m/s", .meaning = "largest speed of the initial vortices"},
+                     probe.speed);
+    if (wants("patch")) {
+        keys.formula(
+            {.path = path + ".angular_velocity", .unit = "1/s", .meaning = "of the initial rotation, clockwise"},
+            probe.angular_velocity);
+    }
+    if (wants("cavity") || wants("channel"))
+        keys.formula({.path = path + ".upper_velocity",
+                      .unit = "m/s",
+                      .meaning = "of the upper plate of a channel or the lid of a cavity, along x"},
+                     probe.upper_velocity);
+    if (wants("channel")) {
+        keys.choice({.path = path + ".flow", .meaning = "what the exact flow is: steady, or from rest at t = 0"},
+                    probe.flow, {"steady", "from-rest"});
+        keys.formula({.path = path + ".gap",
+                      .unit = "m",
+                      .meaning = "between plates at y = -gap/2 and gap/2; gravity and body force drive along x"},
+                     probe.gap);
+        keys.formula({.path = path + ".lower_velocity", .unit = "m/s", .meaning = "of the lower plate, along x"},
+                     probe.lower_velocity);
+    }
+    if (wants("hydrostatic") || wants("dam-break"))
+        keys.formula({.path = path + ".depth",
+                      .unit = "m",
+                      .meaning = "of the liquid at rest, along gravity; the height of the column of a dam break"},
+                     probe.depth);
+    if (wants("dam-break"))
+        keys.formula({.path = path + ".width", .unit = "m", .meaning = "of the column of a dam break"}, probe.width);
+    if (wants("mode"))
+        keys.integer({.path = path + ".mode",
+                      .unit = "-",
+                      .meaning = "n of the amplitude of cos(n theta) on a drop",
+                      .at_least = 2,
+                      .at_most = 100},
+                     probe.mode);
+}
+
+}  // namespace coronet

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coronet/cases/wall_check.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+
+#include <fmt/ranges.h>
+
+#include "coronet/cases/closed_surface.hpp"
+#include "coronet/cases/formula.hpp"
+#include "coronet/cases/sphere_array.hpp"
+#include "coronet/cases/wall_fill.hpp"
+#include "coronet/cases/wall_force_probe.hpp"
+#include "coronet/core/error.hpp"
+
+namespace coronet {
+
+namespace {
+
+// A surface narrower than this, in spacings, has no inside to fill; one wider is in another unit.
+constexpr double narrowest = 1, widest = 1e5;
+
+using Corner = Vector<double, 2>;
+
+double cross(Corner const& a, Corner const& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Whether two edges have a point in common, ends included.
+bool meet(Corner const& a, Corner const& b, Corner const& c, Corner const& d) {
+    auto const between = [](Corner const& p, Corner const& q, Corner const& x) {  // of a line
+        return std::min(p[0], q[0]) <= x[0] && x[0] <= std::max(p[0], q[0]) && std::min(p[1], q[1]) <= x[1] &&
+               x[1] <= std::max(p[1], q[1]);
+    };
+    double const of_c = cross(b - a, c - a), of_d = cross(b - a, d - a), of_a = cross(d - c, a - c),
+                 of_b = cross(d - c, b - c);
+    if (of_c * of_d < 0 && of_a * of_b < 0) return true;
+    return (of_c == 0 && between(a, b, c)) || (of_d == 0 && between(a, b, d)) || (of_a == 0 && between(c, d, a)) ||
+           (of_b == 0 && between(c, d, b));
+}
+
+void check_polygon(std::vector<double> const& numbers, std::size_t wall, Errors& errors) {
+    std::size_t const count = numbers.size() / 2;
+    if (count < 3) return say(errors, "walls.{}.corners has {} corners: a polygon needs three or more", wall, count);
+    std::vector<Corner> p;
+    for (std::size_t k = 0; k < count; ++k) p.push_back({{numbers[2 * k], numbers[2 * k + 1]}});
+    for (std::size_t a = 0; a < count; ++a)
+        if (norm2(p[(a + 1) % count] - p[a]) == 0)
+            return say(errors, "walls.{}.corners has ({}, {}) m twice in a row: leave one away", wall, p[a][0],
+                       p[a][1]);
+    for (std::size_t a = 0; a < count; ++a) {
+        Corner const &from = p[a], &to = p[(a + 1) % count];
+        for (std::size_t b = a + 1; b < count; ++b) {
+            bool const next = b == a + 1, before = (b + 1) % count == a;
+            Corner const &c = p[b], &d = p[(b + 1) % count];
+            // Neighbours share a corner, and must not go back on each other.
+            bool const back = next ? cross(to - from, d - to) == 0 && dot(to - from, d - to) < 0
+                                   : before && cross(to - from, from - c) == 0 && dot(to - from, from - c) < 0;
+            if (back || (!next && !before && meet(from, to, c, d)))
+                return say(errors,
+                           "walls.{}.corners: the edge from ({}, {}) to ({}, {}) m meets the one from ({}, {}) to ({}, "
+                           "{}) m: a polygon must not cross or touch itself",
+                           wall, from[0], from[1], to[0], to[1], c[0], c[1], d[0], d[1]);
+        }
+    }
+}
+
+void check_extent(Wall const& wall, std::size_t k, double spacing, Errors& errors) {
+    auto const size = wall.surface->high() - wall.surface->low();
+    double const least = std::min({size[0], size[1], size[2]}), most = std::max({size[0], size[1], size[2]});
+    if (least < narrowest * spacing || most > widest * spacing)
+        say(errors,
+            "walls.{}.file = '{}' holds a surface of {:.4g} x {:.4g} x {:.4g} m, with walls.{}.unit = {} m, but "
+            "particles "
+            "are {} m apart: is that its unit? (0.001 for millimetres)",
+            k, wall.file, size[0], size[1], size[2], k, wall.unit, spacing);
+}
+
+void check_motion(Wall const& wall, std::size_t k, Case const& c, Errors& errors) {
+    auto const check = [&](std::string const& key, std::string const& text, std::string const& unit) {
+        double const start = Formula(text, c.parameters)(Vector<double, 3>{}, 0);
+        if (start != 0)
+            say(errors,
+                "walls.{}.{} = '{}' is {} {} at t = 0, but must be 0 there: the wall begins where its centre says", k,
+                key, text, start, unit);
+        Formula formula(text, c.parameters);
+        for (int n = 1; n <= 100; ++n)
+            if (double const t = c.time.end * n / 100; !std::isfinite(formula(Vector<double, 3>{}, t)))
+                return say(errors, "walls.{}.{} = '{}' is not finite at t = {} s", k, key, text, t);
+    };
+    for (std::string const& text : wall.displacement) check("displacement", text, "m");
+    check("turn", wall.turn, "degrees");
+    if (moves(wall) && c.method.scheme != "weakly-compressible")
+        say(errors, "walls.{} moves, which is for method.scheme = 'weakly-compressible' only", k);
+}
+
+}  // namespace
+
+void read_surfaces(Case& c, std::string const& file) {
+    for (std::size_t k = 0; k < c.walls.size(); ++k) {
+        Wall& wall = c.walls[k];
+        if (wall.kind != "mesh") continue;
+        auto const path = std::filesystem::path(file).parent_path() / wall.file;
+        try {
+            wall.surface = std::make_shared<ClosedSurface>(read_triangles(path), wall.unit, path.string());
+        } catch (CaseError const& error) {
+            throw CaseError(fmt::format("{}: walls.{}.file = '{}': {}", file, k, wall.file, error.what()));
+        }
+    }
+}
+
+void check_walls(Case const& c, Errors& errors) {
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < c.walls.size(); ++k) {
+        Wall const& wall = c.walls[k];
+        auto const plain = [](unsigned char letter) { return std::isalnum(letter) || letter == '_'; };
+        if (!std::all_of(wall.name.begin(), wall.name.end(), plain))
+            say(errors, "walls.{}.name = '{}' cannot begin a column's name: use letters, digits and _", k, wall.name);
+        if (!wall.name.empty() && !names.insert(wall.name).second)
+            say(errors, "walls.{}.name = '{}' is that of another wall, too: a probe could not tell them apart", k,
+                wall.name);
+        if (wall.kind == "polygon") check_polygon(wall.corners, k, errors);
+        if (wall.kind == "mesh") check_extent(wall, k, c.particles.spacing, errors);
+        check_motion(wall, k, c, errors);
+    }
+}
+
+void check_wall_probe(Case const& c, std::size_t k, Errors& errors) {
+    ProbeKeys const& probe = c.probes[k];
+    auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, 3>{}, 0); };
+    bool const drag = probe.kind == "drag", dam = probe.kind == "dam-break", sensor = probe.kind == "sensor";
+    if ((probe.kind == "wall-force" || drag) && (probe.wall.empty() || wall_named(probe.wall, c) == c.walls.size())) {
+        std::vector<std::string> names;
+        for (Wall const& wall : c.walls)
+            if (!wall.name.empty()) names.push_back("'" + wall.name + "'");
+        say(errors, "probes.{}.wall = '{}' is no wall's name; {}", k, probe.wall,
+            names.empty() ? "no wall has one: give it one with walls.0.name"
+                          : fmt::format("there is {}", fmt::join(names, ", ")));
+    }
+    if ((dam || sensor) && c.walls.empty()) say(errors, "probes.{}: a pressure sensor is in a wall: there is none", k);
+    if (dam && !(c.fluid.gravity[1] < 0 && c.fluid.gravity[0] == 0))
+        say(errors, "probes.{}: a dam breaks under fluid.gravity along -y", k);
+    if (dam)
+        for (auto const* text : {&probe.depth, &probe.width})
+            if (!(value(*text) > 0 && std::isfinite(value(*text))))
+                say(errors, "probes.{}.{} = {} must be finite and above 0 m", k,
+                    text == &probe.depth ? "depth" : "width", *text);
+    if (!drag) return;
+    if (c.domain.periodic != "xyz" || c.domain.size[0] != c.domain.size[1] || c.domain.size[0] != c.domain.size[2])
+        return say(errors, "probes.{}: an array of spheres is a cube with domain.periodic = 'xyz'", k);
+    double const radius = value(probe.radius);
+    if (!(radius > 0 && radius <= c.domain.size[0] / 2))
+        say(errors, "probes.{}.radius = {} must be above 0 m and at most half of domain.size", k, probe.radius);
+    double const fraction = 4 * std::numbers::pi / 3 * std::pow(radius / c.domain.size[0], 3);
+    if (!std::isfinite(sphere_array_drag(fraction)))
+        say(errors,
+            "probes.{}.radius = {} makes a volume fraction of {:.4g}: theory is known up to 0.216, and at 0.343, 0.45 "
+            "and "
+            "0.5236",
+            k, probe.radius, fraction);
+    if (!(c.fluid.rheology == "newtonian" && c.fluid.viscosity > 0))
+        say(errors, "probes.{}: the drag on spheres is known for a Newtonian liquid of a viscosity above 0 Pa s", k);
+    if (!(value(c.fluid.body_force[0]) + c.fluid.gravity[0] > 0))
+        say(errors, "probes.{}: a body force along +x must drive the liquid past the spheres", k);
+}
+
+}  // namespace coronet
