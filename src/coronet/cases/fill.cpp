@@ -3,28 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "coronet/cases/lattice.hpp"
 #include "coronet/cases/wall_fill.hpp"
+#include "coronet/core/random.hpp"
 
 namespace coronet {
-
-namespace {
-
-/// A number in [0, 1) that depends on the three integers alone (splitmix64), so it is the same everywhere.
-double random(std::uint64_t seed, std::uint64_t particle, std::uint64_t axis) {
-    std::uint64_t z = seed * 0x9E3779B97F4A7C15u + particle * 0xD1B54A32D192ED03u + axis * 0x8CB92BA72F3D8DD7u;
-    for (int round = 0; round < 2; ++round) {
-        z += 0x9E3779B97F4A7C15u;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        z ^= z >> 31;
-    }
-    return static_cast<double>(z >> 11) * 0x1p-53;
-}
-
-}  // namespace
 
 template <int D>
 double expected_particles(Case const& c) {

@@ -5,37 +5,11 @@
 #include <cmath>
 
 #include "coronet/surface/outline.hpp"
+#include "coronet/surface/pieces.hpp"
 
 namespace coronet {
 
 namespace {
-
-/// Particles whose discs are joined get the same number, counted from 0.
-std::size_t number_pieces(Particles<2> const& particles, Neighbours<2> const& neighbours, double reach,
-                          std::vector<Index>& piece) {
-    auto const view = particles.view();
-    std::fill(piece.begin(), piece.end(), -1);
-    std::size_t pieces = 0;
-    std::vector<std::size_t> open;
-    for (std::size_t first = 0; first < piece.size(); ++first) {
-        if (piece[first] >= 0) continue;
-        auto const number = static_cast<Index>(pieces++);
-        piece[first] = number;
-        open.push_back(first);
-        while (!open.empty()) {
-            std::size_t const i = open.back();
-            open.pop_back();
-            for (Index const at : neighbours.row(i)) {
-                auto const j = static_cast<std::size_t>(at);
-                auto const x = view.get<Position>(j) - view.get<Position>(i);
-                if (piece[j] >= 0 || norm2(x) > reach * reach) continue;
-                piece[j] = number;
-                open.push_back(j);
-            }
-        }
-    }
-    return pieces;
-}
 
 using Vector2 = Vector<double, 2>;
 
