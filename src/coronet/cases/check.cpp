@@ -343,6 +343,12 @@ void check(Case const& c, Errors& errors) {
             "particles "
             "by their new velocity: leave it away",
             c.time.position_update);
+    if (static_cast<CentralViscosity const&>(c.method.pair_terms).share > 0 &&
+        (c.fluid.rheology != "newtonian" || c.method.viscous_force != "stress" || c.method.viscous_step != "explicit" ||
+         !c.walls.empty()))
+        say(errors,
+            "method.central_share is for fluid.rheology = 'newtonian' with method.viscous_force = 'stress', "
+            "viscous_step = 'explicit' and no walls: leave it away");
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (closed && c.method.shifting != "none") ||
         (thesis && c.surface.pressure != "free")) {

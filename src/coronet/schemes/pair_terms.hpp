@@ -10,10 +10,11 @@
 
 #include "coronet/pairs/law.hpp"
 #include "coronet/terms/artificial_viscosity.hpp"
+#include "coronet/terms/central_viscosity.hpp"
 
 namespace coronet {
 
-using PairTerms = Sum<ArtificialViscosity>;
+using PairTerms = Sum<ArtificialViscosity, CentralViscosity>;
 
 /// Whether a pair term does something: it may say active() = false, without coefficients set.
 template <class Term>
