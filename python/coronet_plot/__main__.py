@@ -24,7 +24,7 @@ FIGURES = [
     ("droplet_history.png", droplet.droplet_history, lambda run: run.has("circularity", "area", "spacing_p01")),
     ("particles.png", pictures.particles, lambda run: run.frames),
     ("patch.png", pictures.patch, lambda run: run.has("corner_radius") and run.frames),
-    ("droplet.png", droplet.droplet, lambda run: run.has("circularity") and run.frames),
+    ("droplet.png", droplet.droplet, lambda run: run.has("circularity", "area") and run.frames),
     ("drop.png", drop.drop, lambda run: run.stretches and run.frames),
 ]
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/cases/drop_probe.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +14,8 @@
 #include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/oscillation_fit.hpp"
 #include "coronet/cases/read.hpp"
+#include "coronet/cases/set_up.hpp"
+#include "coronet/cases/static_drop_probe.hpp"
 
 namespace coronet {
 
@@ -157,7 +160,7 @@ TEST(Snapshot, FindsTheOutlineOnceForAllProbes) {
 
 TEST(DropProbe, SeesADropAsItIs) {
     auto const c = drop_case();
-    DropProbe probe(c);
+    DropProbe<2> probe(c);
     auto const row = probe.sample({0, drop(0, 2), c});
     EXPECT_NEAR(row[0], 1, 0.01);
     EXPECT_NEAR(row[1], R, 2e-3 * R);
@@ -166,7 +169,7 @@ TEST(DropProbe, SeesADropAsItIs) {
     EXPECT_EQ(row[4], 0);
     EXPECT_NEAR(row[5], 1, 0.03);
 
-    DropProbe oval(c);
+    DropProbe<2> oval(c);
     auto const stretched = oval.sample({0, drop(0.1, 2), c});
     EXPECT_NEAR(stretched[0], 1.1 / 0.9, 0.02);
     EXPECT_NEAR(by_name(oval.measures()).at("circularity_final").value, stretched[0], 0);
@@ -175,7 +178,7 @@ TEST(DropProbe, SeesADropAsItIs) {
 TEST(DropProbe, MeasuresDriftFromTheLineOfTheFirstMomentum) {
     auto const c = drop_case();
     Vector<double, 2> const v{{3, -1}};
-    DropProbe straight(c), bent(c);
+    DropProbe<2> straight(c), bent(c);
     double const capillary = std::sqrt(10 / (2 * R));
     for (int k = 0; k <= 4; ++k) {
         double const t = 0.5 * k;
@@ -191,14 +194,14 @@ TEST(DropProbe, MeasuresDriftFromTheLineOfTheFirstMomentum) {
     EXPECT_TRUE(right.at("centre_drift").reference.has_value());
 
     auto const falling = drop_case({"fluid.gravity=[0, -9.81]"});
-    DropProbe pulled(falling);
+    DropProbe<2> pulled(falling);
     pulled.sample({0, drop(0, 2), falling});
     EXPECT_FALSE(by_name(pulled.measures()).at("centre_drift").reference.has_value());
 }
 
 TEST(DropProbe, TellsTheLastAndTheLargestErrorOfTheArea) {
     auto const c = drop_case();
-    DropProbe probe(c);
+    DropProbe<2> probe(c);
     double const first = probe.sample({0, drop(0, 2), c})[2];
     double const worst = probe.sample({1, drop(0.3, 2), c})[2];  // the flow of mode 2 that far takes a^2 of the area
     double const last = probe.sample({2, drop(0.1, 2), c})[2];
@@ -210,13 +213,13 @@ TEST(DropProbe, TellsTheLastAndTheLargestErrorOfTheArea) {
 
 TEST(ModeProbe, FindsPeriodAndDampingOfADropWhateverItsAxis) {
     auto const c = drop_case();
-    auto const exact = drop_mode(3, R, 2, 10, 0.2);
+    auto const exact = drop_mode(2, 3, R, 2, 10, 0.2);
     ASSERT_TRUE(exact.has_value());
     double const w = 0.96 * exact->angular_frequency, b = 1.3 * exact->damping;
     for (double const turn : {0.0, 0.5}) {
         ProbeKeys keys;
         keys.mode = 3;
-        ModeProbe probe(keys, c);
+        ModeProbe<2> probe(keys, c);
         std::vector<double> first;
         for (int k = 0; k <= 240; ++k) {
             double const t = k * 6 * 2 * pi / (240 * w);
@@ -240,7 +243,7 @@ TEST(ModeProbe, FindsPeriodAndDampingOfADropWhateverItsAxis) {
 TEST(ModeProbe, SaysWhyThereIsNoMeasure) {
     ProbeKeys const keys;
     auto const c = drop_case(), thick = drop_case({"fluid.viscosity=30"});
-    ModeProbe brief(keys, c), stiff(keys, thick);
+    ModeProbe<2> brief(keys, c), stiff(keys, thick);
     EXPECT_TRUE(brief.measures().empty());
     for (auto* probe : {&brief, &stiff}) probe->sample({0, drop(0.04, 2), c});
     for (auto const* probe : {&brief, &stiff}) {
@@ -249,6 +252,95 @@ TEST(ModeProbe, SaysWhyThereIsNoMeasure) {
         EXPECT_TRUE(period.source.starts_with("not fitted")) << period.source;
     }
     EXPECT_NE(by_name(stiff.measures()).at("period").source.find("does not oscillate"), std::string::npos);
+}
+
+/// A drop in 3D, as a case lays it.
+Case drop_in_3d(double amplitude, int mode, std::vector<std::string> more = {}) {
+    more.push_back(fmt::format("drop.amplitude={}", amplitude));
+    more.push_back(fmt::format("drop.mode={}", mode));
+    return read_case(R"(name = "drop"
+dimension = 3
+[[shapes]]
+kind = "drop"
+radius = 6.0
+[particles]
+spacing = 0.75
+lattice = "shells"
+[fluid]
+density = 2.0
+viscosity = 0.2
+surface_tension = 10.0
+sound_speed = 100.0
+[time]
+end = 1.0
+)",
+                     "drop.toml", more);
+}
+
+Particles<3> particles_of(Case const& c) {
+    auto const seeds = fill<3>(c);
+    auto state = initial_state(c, seeds, WallSeeds<3>{});
+    return std::move(state.particles);
+}
+
+TEST(ModeProbe, InThreeDimensionsSeesTheWaveAndNoOther) {
+    for (int const n : {2, 3, 4}) {
+        auto const c = drop_in_3d(0.02, n);
+        for (int const m : {2, 3, 4}) {
+            ProbeKeys keys;
+            keys.mode = m;
+            auto const row = ModeProbe<3>(keys, c).sample({0, particles_of(c), c});
+            ASSERT_EQ(row.size(), 1u);
+            // Sums over particles on the outer shells: 1500 of them resolve it to a few percent.
+            EXPECT_NEAR(row[0], m == n ? 0.02 : 0, 0.002) << n << " " << m;
+        }
+    }
+}
+
+TEST(ModeProbe, InThreeDimensionsFindsPeriodAndDamping) {
+    auto const exact = drop_mode(3, 2, 6, 2, 10, 0.2);
+    ASSERT_TRUE(exact.has_value());
+    double const w = 1.05 * exact->angular_frequency, b = 0.8 * exact->damping;
+    auto const c = drop_in_3d(0.02, 2);
+    ModeProbe<3> probe({}, c);
+    for (int k = 0; k <= 120; ++k) {
+        double const t = k * 5 * 2 * pi / (120 * w);
+        auto const now = drop_in_3d(0.02 * std::exp(-b * t) * std::cos(w * t), 2);
+        probe.sample({t, particles_of(now), c});
+    }
+    auto const measures = by_name(probe.measures());
+    EXPECT_NEAR(*measures.at("period").error, 1 / 1.05 - 1, 2e-3);
+    EXPECT_NEAR(*measures.at("damping_rate").error, -0.2, 0.02);
+}
+
+TEST(DropProbe, InThreeDimensionsSeesADropAsItIs) {
+    auto const round = drop_in_3d(0, 2), oval = drop_in_3d(0.1, 2);
+    auto const seen = DropProbe<3>(round).sample({0, particles_of(round), round});
+    EXPECT_NEAR(seen[0], 1, 0.02);
+    EXPECT_NEAR(seen[1], 6, 0.06);
+    EXPECT_NEAR(seen[2], 4 * pi / 3 * 6 * 6 * 6, 0.02 * 4 * pi / 3 * 6 * 6 * 6);
+    EXPECT_EQ(seen[4], 0);  // voids
+    EXPECT_NEAR(DropProbe<3>(oval).sample({0, particles_of(oval), oval})[0], 1.1 / 0.95, 0.03);
+}
+
+TEST(StaticDropProbe, KnowsLaplacesPressureAndTheFastest) {
+    auto const c = drop_in_3d(0, 2, {"initial.pressure=3.5"});
+    auto particles = particles_of(c);
+    particles.allocate(Fields<Pressure>{});
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        auto const x = particles.view().get<Position>(i);
+        particles.view().set<Pressure>(i, norm2(x) < 9 ? 3.5 : 100);
+        particles.view().set<Velocity>(i, {{7, 0, 0}});
+    }
+    StaticDropProbe<3> probe(c);
+    particles.view().set<Velocity>(0, {{7, 50, 0}});
+    probe.sample({0, particles, c});  // of the first half
+    particles.view().set<Velocity>(0, {{7, 0.3, 0}});
+    probe.sample({1, particles, c});
+    auto const measures = by_name(probe.measures());
+    EXPECT_NEAR(measures.at("laplace_pressure").value, 3.5, 1e-9);
+    EXPECT_NEAR(*measures.at("laplace_pressure").reference, 2 * 10 / 6.0, 1e-3);
+    EXPECT_NEAR(measures.at("spurious_capillary_number").value, 0.2 * 0.3 / 10, 1e-4);
 }
 
 }  // namespace

@@ -170,6 +170,10 @@ void check_probes(Case const& c, Errors& errors) {
         if (probe.kind == "mode" && c.fluid.surface_tension == 0)
             say(errors, "probes.{}: a mode oscillates by surface tension, but fluid.surface_tension is 0 N/m: set it",
                 k);
+        if (probe.kind == "static-drop" && c.fluid.surface_tension == 0)
+            say(errors,
+                "probes.{}: Laplace's pressure is that of surface tension, but fluid.surface_tension is 0 N/m: set it",
+                k);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
@@ -349,6 +353,14 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "method.central_share is for fluid.rheology = 'newtonian' with method.viscous_force = 'stress', "
             "viscous_step = 'explicit' and no walls: leave it away");
+    bool const one_round_shape =
+        c.shapes.size() == 1 && c.shapes[0].cuts.empty() && c.shapes[0].kind != "box" && c.shapes[0].kind != "ellipse";
+    if (c.particles.lattice == "shells" && !one_round_shape)
+        say(errors,
+            "particles.lattice = 'shells' is for one shape of kind disc, ball or drop, without cuts: use 'square' or "
+            "'hexagonal'");
+    if (c.particles.lattice == "shells" && (!c.walls.empty() || c.domain.periodic != "none"))
+        say(errors, "particles.lattice = 'shells' has no place for walls and periodic boundaries: use 'square'");
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (closed && c.method.shifting != "none") ||
         (thesis && c.surface.pressure != "free")) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "coronet/cases/nearest_neighbour.hpp"
+
 namespace coronet {
 
 namespace {
@@ -24,28 +26,11 @@ void for_sides(Polygon const& line, Visit const& visit) {
     }
 }
 
-/// The hundredth part of the particles have a neighbour nearer than that [m].
-double nearest_neighbour_p01(Particles<2> const& particles, Neighbours<2> const& neighbours) {
-    auto const view = particles.view();
-    std::vector<double> nearest(particles.owned(), neighbours.support());
-    for_each(nearest.size(), [&](std::size_t i) {
-        for (Index const j : neighbours.row(i)) {
-            double const r = std::sqrt(norm2(view.get<Position>(static_cast<std::size_t>(j)) - view.get<Position>(i)));
-            nearest[i] = std::min(nearest[i], r);
-        }
-    });
-    auto const hundredth = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 100);
-    std::nth_element(nearest.begin(), hundredth, nearest.end());
-    return *hundredth;
-}
-
 }  // namespace
 
 DropOutline drop_outline(Particles<2> const& particles, Case const& c) {
     double const dx = c.particles.spacing, radius = c.surface.coverage_radius * dx;
-    Particles<2> points(particles.owned());  // a copy, which a listing may re-order
-    points.allocate(Fields<Position>{});
-    for_each(points.owned(), [&](std::size_t i) { points.view().set<Position>(i, particles.view().get<Position>(i)); });
+    auto points = copy_of_positions(particles);
     Neighbours<2> neighbours(2 * radius, 0);
     neighbours.update(points);
     auto const outline = find_outline(points, neighbours, radius);

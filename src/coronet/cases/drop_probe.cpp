@@ -9,15 +9,28 @@
 
 namespace coronet {
 
-std::vector<std::string> DropProbe::columns() const {
-    return {"circularity", "radius_mean", "area", "surface_particles", "voids", "spacing_p01"};
+namespace {
+
+double content_of(DropOutline const& drop) { return drop.area; }
+double content_of(DropSurface const& drop) { return drop.volume; }
+
+template <int D>
+std::string const content_name = D == 2 ? "area" : "volume";
+
+}  // namespace
+
+template <int D>
+std::vector<std::string> DropProbe<D>::columns() const {
+    return {"circularity", "radius_mean", D == 2 ? "area" : "drop_volume", "surface_particles", "voids", "spacing_p01"};
 }
 
-std::vector<double> DropProbe::sample(Snapshot<2> const& now) {
+template <int D>
+std::vector<double> DropProbe<D>::sample(Snapshot<D> const& now) {
     auto const total = totals(now.particles);
     if (!start_) {
-        double const area = total.mass / case_.fluid.density;
-        start_ = {total.mass, area, std::sqrt(area / std::numbers::pi), total.centre(), total.momentum};
+        double const content = total.mass / case_.fluid.density,
+                     unit = D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
+        start_ = {total.mass, content, std::pow(content / unit, 1.0 / D), total.centre(), total.momentum};
     }
     auto const line = start_->centre + now.time / start_->mass * start_->momentum;
     centre_drift_ = std::max(centre_drift_, std::sqrt(norm2(total.centre() - line)) / start_->radius);
@@ -25,29 +38,32 @@ std::vector<double> DropProbe::sample(Snapshot<2> const& now) {
 
     auto const& drop = now.outline();
     circularity_ = drop.farthest / drop.nearest;
-    area_error_ = drop.area / start_->area - 1;
-    area_error_max_ = std::max(area_error_max_, std::fabs(area_error_));
+    content_error_ = content_of(drop) / start_->content - 1;
+    content_error_max_ = std::max(content_error_max_, std::fabs(content_error_));
     return {circularity_,
             drop.mean_radius,
-            drop.area,
+            content_of(drop),
             static_cast<double>(drop.surface_particles),
             static_cast<double>(drop.voids),
             drop.spacing_p01};
 }
 
-std::vector<Measure> DropProbe::measures() const {
+template <int D>
+std::vector<Measure> DropProbe<D>::measures() const {
     if (!start_) return {};
-    std::string const area = "area within the outline moved out by half a spacing, over mass/density";
+    std::string const name = content_name<D>,
+                      source = name + (D == 2 ? " within the outline moved out by half a spacing, over mass/density"
+                                              : " within the boundary, over mass/density");
     std::vector<Measure> measures{
         {"circularity_final", circularity_, 1.0, circularity_ - 1,
-         "a circle: largest over smallest radius of the outline"},
-        {"area_error", area_error_, 0.0, area_error_, area + ", at the end"},
-        {"area_error_max", area_error_max_, 0.0, area_error_max_, area + ", largest of all samples"}};
+         std::string(D == 2 ? "a circle" : "a sphere") + ": largest over smallest radius of the outline"},
+        {name + "_error", content_error_, 0.0, content_error_, source + ", at the end"},
+        {name + "_error_max", content_error_max_, 0.0, content_error_max_, source + ", largest of all samples"}};
     bool const is_free = no_outer_force(case_);
-    auto const add_drift = [&](std::string const& name, double drift, std::string const& over) {
+    auto const add_drift = [&](std::string const& what, double drift, std::string const& over) {
         if (is_free)
-            measures.push_back({name, drift, 0.0, drift, "conservation; largest of all samples, over " + over});
-        else measures.push_back({name, drift, {}, {}, "by the outer force, too; largest of all samples, over " + over});
+            measures.push_back({what, drift, 0.0, drift, "conservation; largest of all samples, over " + over});
+        else measures.push_back({what, drift, {}, {}, "by the outer force, too; largest of all samples, over " + over});
     };
     add_drift("centre_drift", centre_drift_, "the radius, from the straight line of the initial momentum");
     double const speed = std::sqrt(case_.fluid.surface_tension / (case_.fluid.density * start_->radius));
@@ -55,5 +71,8 @@ std::vector<Measure> DropProbe::measures() const {
         add_drift("momentum_drift", momentum_drift_ / (start_->mass * speed), "mass times sqrt(sigma/(rho R))");
     return measures;
 }
+
+template class DropProbe<2>;
+template class DropProbe<3>;
 
 }  // namespace coronet

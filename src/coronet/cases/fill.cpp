@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coronet/cases/lattice.hpp"
+#include "coronet/cases/shells.hpp"
 #include "coronet/cases/wall_fill.hpp"
 #include "coronet/core/random.hpp"
 
@@ -25,6 +26,7 @@ double expected_particles(Case const& c) {
 
 template <int D>
 Seeds<D> fill(Case const& c) {
+    if (c.particles.lattice == "shells") return fill_shells<D>(c);
     double const dx = c.particles.spacing, slack = 1e-9 * dx;
     Lattice<D> const lattice(c);
     Solid<D> const solid(c);

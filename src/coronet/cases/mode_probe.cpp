@@ -9,6 +9,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/oscillation_fit.hpp"
+#include "coronet/cases/solid_harmonic.hpp"
 #include "coronet/cases/totals.hpp"
 
 namespace coronet {
@@ -21,27 +22,47 @@ constexpr double least_samples = 10;      // a period
 
 }  // namespace
 
-std::vector<double> ModeProbe::sample(Snapshot<2> const& now) {
+template <int D>
+std::complex<double> ModeProbe<D>::amplitude_of(Snapshot<D> const& now) const {
+    if constexpr (D == 2) return mode_of(now.outline().line, n_) / radius_;
+    auto const view = now.particles.view();
+    auto const centre = totals(now.particles).centre();
+    double const moment = sum_over(now.particles.owned(), 0.0, [&](std::size_t i) {
+        auto const x = (1 / radius_) * (view.template get<Position>(i) - centre);
+        return view.template get<Mass>(i) * solid_harmonic(n_, x).value;
+    });
+    return (2 * n_ + 1) / (4 * std::numbers::pi) * moment / (case_.fluid.density * std::pow(radius_, 3));
+}
+
+template <int D>
+std::vector<double> ModeProbe<D>::sample(Snapshot<D> const& now) {
     bool const first = time_.empty();
-    if (first) radius_ = std::sqrt(totals(now.particles).mass / (std::numbers::pi * case_.fluid.density));
-    auto const amplitude = mode_of(now.outline().line, n_) / radius_;
+    double const unit = D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
+    if (first) radius_ = std::pow(totals(now.particles).mass / (unit * case_.fluid.density), 1.0 / D);
+    auto const amplitude = amplitude_of(now);
     if (first && std::abs(amplitude) > least_amplitude) phase_ = amplitude / std::abs(amplitude);
     auto const along = amplitude * std::conj(phase_);
     time_.push_back(now.time);
     value_.push_back(along.real());
     shear_.push_back(shear_of(now.particles));
+    if (D == 3) return {along.real()};
     return {along.real(), along.imag()};
 }
 
 /// sum V mu g^2 and sum V g^2, g the shear rate, which the viscous stress tells: mu g^2 = tau : tau/(2 mu).
-ModeProbe::Shear ModeProbe::shear_of(Particles<2> const& particles) const {
+template <int D>
+typename ModeProbe<D>::Shear ModeProbe<D>::shear_of(Particles<D> const& particles) const {
     Shear sums;
-    if (!particles.has<Viscosity>() || !particles.has<Stress>()) return sums;
+    if (!particles.template has<Viscosity>() || !particles.template has<Stress>()) return sums;
     auto const view = particles.view();
     for (std::size_t i = 0; i < particles.owned(); ++i) {
-        auto const sigma = view.get<Stress>(i);
-        double const half = (sigma(0, 0) - sigma(1, 1)) / 2, tau2 = half * half + sigma(0, 1) * sigma(0, 1);
-        double const mu = view.get<Viscosity>(i), V = view.get<Mass>(i) / case_.fluid.density;
+        auto tau = view.template get<Stress>(i);
+        double mean = 0, tau2 = 0;
+        for (int k = 0; k < D; ++k) mean += tau(k, k) / D;
+        for (int k = 0; k < D; ++k) tau(k, k) -= mean;
+        for (int k = 0; k < D; ++k)
+            for (int l = 0; l < D; ++l) tau2 += tau(k, l) * tau(k, l) / 2;
+        double const mu = view.template get<Viscosity>(i), V = view.template get<Mass>(i) / case_.fluid.density;
         if (mu == 0) continue;
         sums.viscous += V * tau2 / mu;
         sums.squared += V * tau2 / (mu * mu);
@@ -50,23 +71,26 @@ ModeProbe::Shear ModeProbe::shear_of(Particles<2> const& particles) const {
 }
 
 /// Of the samples from a time on.
-double ModeProbe::viscosity_of_the_flow(double from) const {
+template <int D>
+double ModeProbe<D>::viscosity_of_the_flow(double from) const {
     Shear sums;
     for (std::size_t k = 0; k < time_.size(); ++k)
         if (time_[k] >= from) sums.viscous += shear_[k].viscous, sums.squared += shear_[k].squared;
     return sums.squared > 0 ? sums.viscous / sums.squared : rheology_of(case_).viscosity_at(0);
 }
 
-std::vector<Measure> ModeProbe::measures() const {
+template <int D>
+std::vector<Measure> ModeProbe<D>::measures() const {
     if (time_.empty()) return {};
     auto const& fluid = case_.fluid;
-    auto const inviscid = drop_mode(n_, radius_, fluid.density, fluid.surface_tension, 0);
+    auto const inviscid = drop_mode(D, n_, radius_, fluid.density, fluid.surface_tension, 0);
     double const mu = viscosity_of_the_flow(time_.front() + 2 * std::numbers::pi / inviscid->angular_frequency);
     std::string const liquid =
         fluid.rheology == "newtonian" ? "" : fmt::format(", with the viscosity {:.4g} Pa s that dissipated", mu);
-    std::string const theory = fmt::format("exact viscous mode {} of small amplitude in 2D, Ohnesorge number {:.4g}{}",
-                                           n_, mu / std::sqrt(fluid.density * fluid.surface_tension * radius_), liquid);
-    auto const exact = drop_mode(n_, radius_, fluid.density, fluid.surface_tension, mu);
+    std::string const theory =
+        fmt::format("exact viscous mode {} of small amplitude in {}D, Ohnesorge number {:.4g}{}", n_, D,
+                    mu / std::sqrt(fluid.density * fluid.surface_tension * radius_), liquid);
+    auto const exact = drop_mode(D, n_, radius_, fluid.density, fluid.surface_tension, mu);
     double const none = std::numeric_limits<double>::quiet_NaN();
     if (!exact) {
         std::string const why = "not fitted: it does not oscillate; " + theory;
@@ -97,5 +121,8 @@ std::vector<Measure> ModeProbe::measures() const {
              found * fit->angular_frequency_error / fit->angular_frequency},
             {"damping_rate", fit->damping, exact->damping, damping_error, window, fit->damping_error}};
 }
+
+template class ModeProbe<2>;
+template class ModeProbe<3>;
 
 }  // namespace coronet

@@ -7,8 +7,8 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     auto const wants = [&](std::string const& kind) { return keys.everything() || probe.kind == kind; };
     std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
-    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "drop", "mode", "taylor-green"});
-    kinds.insert(kinds.end(), {"channel", "cavity", "hydrostatic", "wall-force", "sensor"});
+    if (dimension == 2) kinds.insert(kinds.end(), {"patch", "taylor-green"});
+    kinds.insert(kinds.end(), {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
     if (dimension == 2) kinds.push_back("dam-break");
     if (dimension == 3 || keys.everything()) kinds.push_back("drag");
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);

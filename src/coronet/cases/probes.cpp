@@ -14,6 +14,7 @@
 #include "coronet/cases/patch_probe.hpp"
 #include "coronet/cases/point_value.hpp"
 #include "coronet/cases/probe.hpp"
+#include "coronet/cases/static_drop_probe.hpp"
 #include "coronet/cases/stretching_drop.hpp"
 #include "coronet/cases/taylor_green_probe.hpp"
 #include "coronet/cases/totals.hpp"
@@ -171,12 +172,13 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "sensor") probes.push_back(std::make_unique<SensorProbe<D>>(keys, c));
         if constexpr (D == 3)
             if (keys.kind == "drag") probes.push_back(std::make_unique<DragProbe>(keys, c));
+        if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe<D>>(c));
+        if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe<D>>(keys, c));
+        if (keys.kind == "static-drop") probes.push_back(std::make_unique<StaticDropProbe<D>>(c));
         if constexpr (D == 2) {
             if (keys.kind == "dam-break") probes.push_back(std::make_unique<DamBreakProbe>(keys, c));
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
-            if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe>(c));
             if (keys.kind == "taylor-green") probes.push_back(std::make_unique<TaylorGreenProbe>(keys, c));
-            if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe>(keys, c));
         }
     }
     return probes;

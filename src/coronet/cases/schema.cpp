@@ -24,16 +24,16 @@ void describe_terms(Keys& keys, Sum<Terms...>& sum) {
 
 void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimension) {
     auto const wants = [&](std::string const& kind) { return keys.everything() || shape.kind == kind; };
-    Keys::Words kinds{dimension == 2 ? "disc" : "ball", "box", "ellipse"};
+    Keys::Words kinds{dimension == 2 ? "disc" : "ball", "box", "ellipse", "drop"};
     if (keys.everything()) kinds.insert(kinds.begin(), "ball");
-    if (dimension == 2) kinds.push_back("drop");
     if (dimension == 3 && shape.kind == "disc") shape.kind = "ball";
     std::vector<double> const origin(static_cast<std::size_t>(dimension), 0.0);
     std::vector<double> const unit(static_cast<std::size_t>(dimension), 1.0);
 
     keys.choice(
         {.path = path + ".kind",
-         .meaning = "form of the liquid; an ellipse in 3D is an ellipsoid, a drop a disc with the wave of `drop`",
+         .meaning =
+             "form of the liquid; an ellipse in 3D is an ellipsoid, a drop a disc or ball with the wave of `drop`",
          .required = true},
         shape.kind, kinds);
     if (shape.centre.empty()) shape.centre = origin;
@@ -41,7 +41,7 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
     if (wants("disc") || wants("ball") || wants("drop"))
         keys.number({.path = path + ".radius",
                      .unit = "m",
-                     .meaning = "of a disc or ball; of a drop, that of the disc with its area",
+                     .meaning = "of a disc or ball; of a drop, that of the disc (ball) with its area (volume)",
                      .above = 0},
                     shape.radius);
     if (wants("box")) {
@@ -73,12 +73,14 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
 void describe_drop(Keys& keys, Case& c) {
     auto const is_drop = [](Shape const& shape) { return shape.kind == "drop"; };
     if (!keys.everything() && std::none_of(c.shapes.begin(), c.shapes.end(), is_drop)) return;
-    keys.number({.path = "drop.amplitude",
-                 .unit = "-",
-                 .meaning = "a of the radius 1 + a cos(n theta), over its mean, of shapes of kind drop",
-                 .at_least = -0.9,
-                 .at_most = 0.9},
-                c.drop.amplitude);
+    keys.number(
+        {.path = "drop.amplitude",
+         .unit = "-",
+         .meaning = "a of the radius 1 + a cos(n theta), in 3D 1 + a P_n(cos theta) about the x axis, of shapes "
+                    "of kind drop",
+         .at_least = -0.9,
+         .at_most = 0.9},
+        c.drop.amplitude);
     keys.integer({.path = "drop.mode", .unit = "-", .meaning = "n of the same", .at_least = 2, .at_most = 100},
                  c.drop.mode);
     for (Shape& shape : c.shapes) {
@@ -218,8 +220,11 @@ void describe(Keys& keys, Case& c) {
                  .required = true},
                 p.spacing);
     keys.choice(
-        {.path = "particles.lattice", .meaning = "how particles are laid; hexagonal is face-centred cubic in 3D"},
-        p.lattice, {"square", "hexagonal"});
+        {.path = "particles.lattice",
+         .meaning =
+             "how particles are laid; hexagonal is face-centred cubic in 3D, shells are concentric, for one disc, "
+             "ball or drop"},
+        p.lattice, {"square", "hexagonal", "shells"});
     keys.choice({.path = "particles.origin", .meaning = "a particle (node) or a cell corner at x = 0"}, p.origin,
                 {"node", "cell"});
     keys.number({.path = "particles.rotation",

@@ -21,11 +21,23 @@ Vector<double, D> turned(Vector<double, D> const& x, double degrees) {
     return y;
 }
 
-/// The radius [m] of a shape of kind drop at a polar angle, R0 (1 + a cos n theta): its area is that of the disc of the
-/// shape's radius, R0^2 (1 + a^2/2).
-inline double drop_radius(Shape const& shape, double angle) {
+/// The radius [m] of a shape of kind drop in the direction of x, at the angle theta from the first axis: R0 (1 + a cos
+/// n theta), its area that of the disc of the shape's radius, R0^2 (1 + a^2/2).
+inline double drop_radius(Shape const& shape, Vector<double, 2> const& x) {
     double const a = shape.amplitude;
-    return shape.radius / std::sqrt(1 + a * a / 2) * (1 + a * std::cos(shape.mode * angle));
+    return shape.radius / std::sqrt(1 + a * a / 2) * (1 + a * std::cos(shape.mode * std::atan2(x[1], x[0])));
+}
+/// In 3D R0 (1 + a P_n(cos theta)), its volume that of the ball: over R0^3, 1 + 3 a^2 <P^2> + a^3 <P^3>, with the means
+/// of the Legendre polynomial P_n over the sphere, <P^2> = 1/(2n + 1) and <P^3>, for even n the square of Wigner's
+/// symbol (n n n; 0 0 0), (3n/2)!^2/((n/2)!)^6 (n!)^3/(3n + 1)!.
+inline double drop_radius(Shape const& shape, Vector<double, 3> const& x) {
+    double const a = shape.amplitude, n = shape.mode, r = std::sqrt(norm2(x));
+    auto const log_of_factorial = [](double k) { return std::lgamma(k + 1); };
+    double const cubes = shape.mode % 2 == 1 ? 0
+                                             : std::exp(2 * log_of_factorial(1.5 * n) - 6 * log_of_factorial(n / 2) +
+                                                        3 * log_of_factorial(n) - log_of_factorial(3 * n + 1));
+    double const wave = r > 0 ? std::legendre(static_cast<unsigned>(shape.mode), x[0] / r) : 0;
+    return shape.radius / std::cbrt(1 + 3 * a * a / (2 * n + 1) + a * a * a * cubes) * (1 + a * wave);
 }
 
 /// Whether x [m] is inside; `slack` [m] keeps points that round-off would put just outside.
@@ -41,7 +53,7 @@ bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
     } else if (shape.kind == "box") {
         for (int k = 0; k < D; ++k) inside = inside && std::fabs(y[k]) <= shape.size[k] / 2 + slack;
     } else if (shape.kind == "drop") {
-        inside = std::sqrt(norm2(y)) <= drop_radius(shape, std::atan2(y[1], y[0])) + slack;
+        inside = std::sqrt(norm2(y)) <= drop_radius(shape, y) + slack;
     } else {
         double q = 0;
         for (int k = 0; k < D; ++k) q += std::pow(y[k] / (shape.semi_axes[k] + slack), 2);

@@ -5,8 +5,10 @@
 // when the first one asks and kept for the others.
 
 #include <optional>
+#include <type_traits>
 
 #include "coronet/cases/drop_outline.hpp"
+#include "coronet/cases/drop_surface.hpp"
 
 namespace coronet {
 
@@ -19,14 +21,19 @@ public:
     double const time;
     Particles<D> const& particles;
 
-    DropOutline const& outline() const requires(D == 2) {
-        if (!outline_) outline_ = drop_outline(particles, case_);
+    /// In 3D its surface.
+    auto const& outline() const {
+        if constexpr (D == 2) {
+            if (!outline_) outline_ = drop_outline(particles, case_);
+        } else {
+            if (!outline_) outline_ = drop_surface(particles, case_);
+        }
         return *outline_;
     }
 
 private:
     Case const& case_;
-    mutable std::optional<DropOutline> outline_;
+    mutable std::optional<std::conditional_t<D == 2, DropOutline, DropSurface>> outline_;
 };
 
 }  // namespace coronet

@@ -156,7 +156,20 @@ private:
     std::vector<Vertex> vertex_;
 };
 
+std::vector<Vector3> vertices(SurfaceMesh const& mesh, Particles<3> const& particles, Vector3 const& origin) {
+    std::vector<Vector3> x(mesh.vertices());
+    for_each(x.size(), [&](std::size_t v) {
+        x[v] = particles.view().get<Position>(static_cast<std::size_t>(mesh.particle[v])) - origin;
+    });
+    return x;
+}
+
 }  // namespace
+
+std::vector<Vector<double, 3>> boundary_corners(SurfaceMesh const& mesh, Particles<3> const& particles, double spacing,
+                                                double volume) {
+    return Corners(mesh, vertices(mesh, particles, {}), spacing, volume).positions();
+}
 
 Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighbours<3> const& neighbours,
                         double coverage_radius, double spacing, double volume) {
@@ -170,9 +183,7 @@ Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighb
 
     auto const particle = [&](std::size_t v) { return static_cast<std::size_t>(mesh.particle[v]); };
     Vector3 const origin = view.get<Position>(particle(0));
-    Vectors x(mesh.vertices());
-    for_each(x.size(), [&](std::size_t v) { x[v] = view.get<Position>(particle(v)) - origin; });
-    Corners const corners(mesh, std::move(x), spacing, volume);
+    Corners const corners(mesh, vertices(mesh, particles, origin), spacing, volume);
 
     // A triangle of corners a, b, c spans a . (b x c)/6 with the origin.
     auto const& X = corners.positions();

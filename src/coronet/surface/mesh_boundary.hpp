@@ -25,4 +25,8 @@ namespace coronet {
 Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighbours<3> const& neighbours,
                         double coverage_radius, double spacing, double volume);
 
+/// The corners X_v alone [m].
+std::vector<Vector<double, 3>> boundary_corners(SurfaceMesh const& mesh, Particles<3> const& particles, double spacing,
+                                                double volume);
+
 }  // namespace coronet
