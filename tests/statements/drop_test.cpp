@@ -30,13 +30,29 @@ Case drop(std::string const& scheme, std::string const& shifting) {
         "drop");
 }
 
+/// The same in 3D, of 6 spacings, with a spin.
+Case drop_in_3d(std::string const& scheme, std::string const& shifting, std::string const& more = {}) {
+    bool const projects = scheme == "projection";
+    return read_case(
+        fmt::format(
+            "name = 'drop'\ndimension = 3\n[[shapes]]\nkind = 'drop'\nradius = 1\ncentre = [3, -2, 1]\n"
+            "[drop]\namplitude = 0.1\n[particles]\nspacing = 0.16666667\njitter = 0.1\n"
+            "[initial]\nvelocity = ['0.3 - y - 2', '0.2 + x - 3', '0.1']\n[fluid]\ndensity = 1\n"
+            "surface_tension = 1\nviscosity = 0.05\n{}[method]\nscheme = '{}'\nshifting = '{}'\nsupport = 2.8\n"
+            "kernel = 'wendland-c2'\ncentral_share = 0.2\n[surface]\ncoverage_radius = 1.4\n{}[time]\nend = 1\n",
+            projects ? "" : "sound_speed = 15\n", scheme, shifting, more),
+        "drop");
+}
+
+template <int D>
 struct Watched {
-    Totals<2> first, last;
+    Totals<D> first, last;
     double first_energy, last_energy, pressure;
 };
 
-Watched watch(Case const& c, int steps, double step) {
-    auto const scheme = make_scheme<2>(c);
+template <int D = 2>
+Watched<D> watch(Case const& c, int steps, double step) {
+    auto const scheme = make_scheme<D>(c);
     auto const energy = [&] {
         double surface = 0;
         for (auto const& reading : scheme->readings())
@@ -44,7 +60,7 @@ Watched watch(Case const& c, int steps, double step) {
         return surface + totals(scheme->particles()).kinetic_energy;
     };
     scheme->begin_step(0);
-    Watched seen{totals(scheme->particles()), {}, energy(), 0, 0};
+    Watched<D> seen{totals(scheme->particles()), {}, energy(), 0, 0};
     for (int k = 0; k < steps; ++k) {
         scheme->begin_step(k * step);
         scheme->advance(k * step, step);
@@ -54,7 +70,8 @@ Watched watch(Case const& c, int steps, double step) {
     seen.last_energy = energy();
     auto const view = scheme->particles().view();
     std::size_t const n = scheme->particles().owned();
-    seen.pressure = sum_over(n, 0.0, [&](std::size_t i) { return view.at<Pressure>()[i]; }) / static_cast<double>(n);
+    seen.pressure =
+        sum_over(n, 0.0, [&](std::size_t i) { return view.template at<Pressure>()[i]; }) / static_cast<double>(n);
     return seen;
 }
 
@@ -71,6 +88,36 @@ TEST(DropOnBoundary, KeepsMomentumItsMomentAndTheLineOfItsCentre) {
         EXPECT_LT(std::sqrt(norm2(seen.last.centre() - line)), 1e-12) << scheme << shifting;
         EXPECT_NEAR(seen.last.angular_momentum[2], seen.first.angular_momentum[2], 1e-11 * mass) << scheme << shifting;
     }
+}
+
+TEST(DropOnBoundary, InThreeDimensionsKeepsMomentumItsMomentAndTheLineOfItsCentre) {
+    for (auto const& [scheme, shifting, steps, step] : {std::tuple{"projection", "conserving", 20, 4e-3},
+                                                        {"weakly-compressible", "none", 60, 1e-3},
+                                                        {"weakly-compressible", "conserving", 60, 1e-3}}) {
+        auto const seen = watch<3>(drop_in_3d(scheme, shifting), steps, step);
+        double const mass = seen.first.mass, time = steps * step;
+        auto const line = seen.first.centre() + time / mass * seen.first.momentum;
+        EXPECT_LT(std::sqrt(norm2(seen.last.momentum - seen.first.momentum)), 1e-12 * mass) << scheme << shifting;
+        EXPECT_LT(std::sqrt(norm2(seen.last.centre() - line)), 1e-12) << scheme << shifting;
+        EXPECT_LT(std::sqrt(norm2(seen.last.angular_momentum - seen.first.angular_momentum)), 1e-11 * mass)
+            << scheme << shifting;
+    }
+}
+
+TEST(DropOnBoundary, InThreeDimensionsTheThesissTensionDoesNot) {
+    auto const seen = watch<3>(drop_in_3d("weakly-compressible", "none", "tension_force = 'curvature'\n"), 60, 1e-3);
+    EXPECT_GT(std::sqrt(norm2(seen.last.momentum - seen.first.momentum)), 1e-6 * seen.first.mass);
+}
+
+TEST(Threads, ADropIn3DHasTheSameBitsForAnyNumberOfThreads) {
+    std::vector<Totals<3>> totals;
+    for (int const threads : {1, 3}) {
+        set_threads(threads);
+        totals.push_back(watch<3>(drop_in_3d("weakly-compressible", "conserving"), 10, 1e-3).last);
+    }
+    set_threads(0);
+    EXPECT_EQ(totals[0].kinetic_energy, totals[1].kinetic_energy);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(totals[0].mass_moment[k], totals[1].mass_moment[k]);
 }
 
 TEST(DropOnBoundary, LosesEnergyAndHasThePressureOfLaplace) {

@@ -339,8 +339,6 @@ void check(Case const& c, Errors& errors) {
             "fluid.surface_tension and surface.tension_force = 'boundary'");
     if (on_boundary && c.time.stepping == "symplectic-euler")
         say(errors, "surface.tension_force = 'boundary' needs time.stepping = 'predictor-corrector'");
-    if (on_boundary && D == 3)
-        say(errors, "surface.tension_force = 'boundary' is for dimension = 2 only: use 'curvature' in 3D");
     if (c.time.stepping == "symplectic-euler" && c.time.position_update != "mean-velocity")
         say(errors,
             "time.position_update = '{}' is of time.stepping = 'predictor-corrector'; 'symplectic-euler' moves "

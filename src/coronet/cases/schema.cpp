@@ -163,9 +163,8 @@ void describe_projection(Keys& keys, Case& c) {
 
 void describe_surface(Keys& keys, Case& c) {
     auto& s = c.surface;
-    s.tension_force = c.dimension == 2 ? "boundary" : "curvature";
     keys.choice({.path = "surface.tension_force",
-                 .meaning = "boundary (2D): minus the derivative of sigma times the length of the surface, which "
+                 .meaning = "boundary: minus the derivative of sigma times the length (area) of the surface, which "
                             "conserves momentum; curvature: that of fits, as Lobo (2011)"},
                 s.tension_force, {"boundary", "curvature"});
     keys.choice({.path = "surface.pressure",

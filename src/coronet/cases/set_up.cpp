@@ -6,6 +6,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/lattice.hpp"
 #include "coronet/cases/wall_fill.hpp"
 #include "coronet/cases/wall_motion.hpp"
 #include "coronet/schemes/incompressible.hpp"
@@ -92,6 +93,7 @@ SurfaceSettings surface_settings(Case const& c) {
         .tension = c.fluid.surface_tension,
         .force = c.surface.tension_force == "boundary" ? TensionForce::boundary : TensionForce::curvature,
         .spacing = dx,
+        .volume = c.dimension == 2 ? Lattice<2>(c).volume() : Lattice<3>(c).volume(),
         .coverage_radius = c.surface.coverage_radius * dx,
         .fit = {c.surface.fit_width * dx, c.surface.fit_weights == "compact" ? FitWeights::compact : FitWeights::none},
         .remove_mean_force = c.surface.remove_mean_force};

@@ -95,9 +95,8 @@ template <int D>
 void Incompressible<D>::begin_step(double /*time*/) {
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
     phases_.act("check", [&] { check_state(particles_); });
-    if constexpr (D == 2)  // else each step finds it half-way
-        if (settings_.surface.acts_on_boundary() && boundary_.pieces == 0)
-            boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
+    if (settings_.surface.acts_on_boundary() && boundary_.pieces == 0)  // else each step finds it half-way
+        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
 }
 
 template <int D>
@@ -176,12 +175,11 @@ void Incompressible<D>::look_at_surface() {
 
 template <int D>
 void Incompressible<D>::tension() {
-    if constexpr (D == 2)
-        if (settings_.surface.acts_on_boundary()) {
-            boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
-            if (on_boundary_) on_boundary_->set_boundary(boundary_);
-            return add_tension(particles_, boundary_, settings_.surface.tension);
-        }
+    if (settings_.surface.acts_on_boundary()) {
+        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
+        if (on_boundary_) on_boundary_->set_boundary(boundary_);
+        return add_tension(particles_, boundary_, settings_.surface.tension);
+    }
     add_tension(particles_, settings_.surface);
 }
 
@@ -269,7 +267,7 @@ std::vector<Reading> Incompressible<D>::readings() const {
                               {"solver_iterations", static_cast<double>(solved_.iterations)},
                               {"divergence_max", divergence_}};
     if (viscous_step_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
-    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
+    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension);
     return list;
 }
 

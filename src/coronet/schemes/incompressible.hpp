@@ -33,6 +33,7 @@
 #include "coronet/schemes/shifting.hpp"
 #include "coronet/schemes/thesis_pressure.hpp"
 #include "coronet/schemes/viscous_step.hpp"
+#include "coronet/surface/boundary_finder.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -94,6 +95,7 @@ private:
     Particles<D> particles_;
     Neighbours<D> neighbours_;
     Shifting<D> shifting_;
+    BoundaryFinder<D> find_boundary_;
     Boundary<D> boundary_;                      ///< if tension acts on it
     ThesisPressure<D>* thesis_ = nullptr;       ///< the projection's, if it is that one
     MeanOnBoundary<D>* on_boundary_ = nullptr;  ///< around it, if there is one

@@ -40,11 +40,12 @@ struct Reading {
     double value;
 };
 
-/// What a scheme with a tension sigma [N/m] on the boundary shows of it.
+/// What a scheme with a tension sigma [N/m] on the boundary shows of it, `jumps` those of its size so far.
 template <int D>
-void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, double sigma) {
+void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, double jumps, double sigma) {
     list.push_back({"surface_energy", sigma * boundary.total_size()});
     list.push_back({"surface_content", boundary.total_content()});
+    if (D == 3) list.push_back({"surface_energy_jumps", sigma * jumps});
 }
 
 template <int D>

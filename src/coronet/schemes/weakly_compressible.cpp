@@ -151,7 +151,7 @@ std::vector<Reading> WeaklyCompressible<D>::readings() const {
     constexpr char const* names[] = {"wall_force_x", "wall_force_y", "wall_force_z"};
     if (particles_.count(Role::wall) > 0)
         for (int k = 0; k < D; ++k) list.push_back({names[k], wall_force_[k]});
-    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, settings_.surface.tension);
+    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension);
     return list;
 }
 
@@ -247,7 +247,7 @@ void WeaklyCompressible<D>::look_ahead(double dt) {
 /// Leaves in Pressure what exceeds the mean of each piece of liquid.
 template <int D>
 void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
-    if constexpr (D == 2) boundary_ = find_boundary(particles_, neighbours_, settings_.surface);
+    boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
     auto const view = particles_.view();
     double const* const V = view.template at<Volume>();
     double* const p = view.template at<Pressure>();

@@ -30,6 +30,7 @@
 #include "coronet/schemes/scheme.hpp"
 #include "coronet/schemes/shifting.hpp"
 #include "coronet/schemes/walls.hpp"
+#include "coronet/surface/boundary_finder.hpp"
 #include "coronet/surface/tension.hpp"
 
 namespace coronet {
@@ -121,6 +122,7 @@ private:
     Particles<D> particles_;
     Neighbours<D> neighbours_;
     Walls<D> walls_;
+    BoundaryFinder<D> find_boundary_;
     Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece
     Shifting<D> shifting_;

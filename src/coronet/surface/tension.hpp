@@ -3,9 +3,10 @@
 
 // Surface tension as a force on the particles of the free surface, in N (N per metre of depth in 2D).
 //
-// `boundary`: minus the derivative of sigma times the length of the boundary (surface/boundary.hpp),
+// `boundary`: minus the derivative of sigma times the length P of the boundary, in 3D its area (surface/boundary.hpp,
+// surface/mesh_boundary.hpp),
 //     f_i = -sigma dP/dx_i:
-// along each side of the polygon sigma pulls at both of its ends. Momentum and angular momentum are conserved to
+// in 2D sigma pulls along each side of a polygon at both of its ends. Momentum and angular momentum are conserved to
 // round-off on any arrangement, and the work done is the loss of sigma P. The pressure that balances it must not be
 // felt by the outermost particles through their truncated surroundings, which would push them out until they crowd: its
 // mean acts on the boundary as well, p_mean dA/dx_i, and only what exceeds the mean acts between particles.
@@ -26,8 +27,9 @@ enum class TensionForce { boundary, curvature };
 /// How the free surface is found, and what acts there.
 struct SurfaceSettings {
     double tension = 0;                            ///< sigma [N/m]
-    TensionForce force = TensionForce::curvature;  ///< `boundary` in 2D alone
+    TensionForce force = TensionForce::curvature;
     double spacing = 0;                            ///< of the particles [m]
+    double volume = 0;                             ///< of one of them [m^D]
     double coverage_radius = 0;                    ///< [m], of surface/detect.hpp
     SurfaceFit fit{0};
     bool remove_mean_force = false;
@@ -43,10 +45,6 @@ void find_surface(Particles<D>& particles, Neighbours<D> const& neighbours, Surf
 template <int D>
 void add_tension(Particles<D>& particles, SurfaceSettings const& settings);
 
-inline Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours,
-                                 SurfaceSettings const& settings) {
-    return find_boundary(particles, neighbours, settings.coverage_radius, settings.spacing);
-}
 /// Adds to Acceleration the tension of a boundary.
 template <int D>
 void add_tension(Particles<D>& particles, Boundary<D> const& boundary, double sigma);

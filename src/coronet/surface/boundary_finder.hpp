@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Finds the boundary of a liquid on which tension acts, again and again as its particles move: in 2D from the outline
+// (boundary.hpp), in 3D from the mesh (mesh_boundary.hpp), whose triangles are kept until neighbours are listed anew:
+// it lags by less than the skin of the lists. Where triangles change the area jumps; the jumps are counted.
+
+#include "coronet/surface/mesh_boundary.hpp"
+#include "coronet/surface/tension.hpp"
+
+namespace coronet {
+
+template <int D>
+class BoundaryFinder {
+public:
+    Boundary<D> operator()(Particles<D>& particles, Neighbours<D> const& neighbours, SurfaceSettings const& settings);
+
+    /// The sum of what the size was changed by, up and down, where the mesh was found anew [m^2]; 0 in 2D.
+    double jumps() const { return jumps_; }
+
+private:
+    double jumps_ = 0;
+    SurfaceMesh mesh_;                   // in 3D,
+    std::vector<std::int64_t> of_mesh_;  // the identities of its vertices' particles,
+    std::size_t listing_ = 0;            // and the listing of neighbours that it belongs to
+};
+
+}  // namespace coronet
