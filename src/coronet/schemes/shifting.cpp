@@ -122,8 +122,9 @@ template <int D>
 void Shifting<D>::look_at_surface(Particles<D>& particles, Neighbours<D> const& neighbours) {
     if (listing_seen_ == neighbours.listings()) return;
     listing_seen_ = neighbours.listings();
-    find_surface(particles, neighbours, settings_.surface);
     particles.allocate(Fields<NearestNormal>{});
+    if (closed_volume_ > 0) return;  // no particle has been marked, and none will be
+    find_surface(particles, neighbours, settings_.surface);
     neighbours.images().refresh(particles, Fields<SurfaceNormal>{});
     auto const view = particles.view();
     for_each(particles.owned(), [&](std::size_t i) {
