@@ -9,30 +9,36 @@ using Lanes = Pack<double>;
 
 }  // namespace
 
-/// C has V_i V_j (1/rho_i + 1/rho_j) W'/r off the diagonal, which for a uniform density is that of Lobo, and minus
-/// their sum and A 1 on it.
 template <int D>
 void ConsistentPressure<D>::set_up(Particles<D>& particles, Neighbours<D> const& neighbours) {
     particles_ = &particles;
     particles.allocate(Fields<Velocity, Acceleration>{});
     diagonal_.clear();
+    compact_diagonal_.clear();
     auto const view = particles.view();
     std::size_t const n = particles.size();
-    bool const compact = compact_share_ > 0;
     inverse_mass_.resize(n);
-    share_per_density_.resize(compact ? n : 0);
+    share_per_density_.resize(compact_share_ > 0 ? n : 0);
     for (auto& component : velocity_) component.resize(n);
     for_each(n, [&](std::size_t i) {
         inverse_mass_[i] = 1 / view.template at<Mass>()[i];
-        if (compact) share_per_density_[i] = compact_share_ / view.template at<Density>()[i];
+        if (compact_share_ > 0) share_per_density_[i] = compact_share_ / view.template at<Density>()[i];
     });
     gradients_.set_up(particles, neighbours, kernel_, kind_, share_per_density_);
-    if (!compact) return;
-    for_each(n, [&](std::size_t i) { set_velocity(i, inverse_mass_[i] * gradients_.push_of_constant(i)); });
-    compact_diagonal_.resize(n);
-    for_each(n, [&](std::size_t i) {
+}
+
+/// C has V_i V_j (1/rho_i + 1/rho_j) W'/r off the diagonal, which for a uniform density is that of Lobo, and minus
+/// their sum and A 1 on it.
+template <int D>
+std::span<double const> ConsistentPressure<D>::compact_diagonal() {
+    if (compact_share_ == 0 || !compact_diagonal_.empty()) return compact_diagonal_;
+    compact_diagonal_.resize(gradients_.size());
+    for_each(compact_diagonal_.size(),
+             [&](std::size_t i) { set_velocity(i, inverse_mass_[i] * gradients_.push_of_constant(i)); });
+    for_each(compact_diagonal_.size(), [&](std::size_t i) {
         compact_diagonal_[i] = compact_share_ * divergence(i) - gradients_.sum_of_slopes(i);
     });
+    return compact_diagonal_;
 }
 
 template <int D>
@@ -75,6 +81,7 @@ void ConsistentPressure<D>::divergence(std::vector<Vector<double, D>> const& v, 
 template <int D>
 void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> Ap) {
     bool const compact = compact_share_ > 0;
+    auto const own = compact_diagonal();
     for_each(p.size(), [&](std::size_t i) {
         Vector<Lanes, D> push;
         Lanes of_compact(0.0);
@@ -90,7 +97,7 @@ void ConsistentPressure<D>::apply(std::span<double const> p, std::span<double> A
         Vector<double, D> force = p[i] * gradients_.own(i);
         unrolled<D>([&](int a) { force[a] += sum(push[a]); });
         set_velocity(i, inverse_mass_[i] * force);
-        if (compact) Ap[i] = compact_diagonal_[i] * p[i] + sum(of_compact);
+        if (compact) Ap[i] = own[i] * p[i] + sum(of_compact);
     });
     for_each(p.size(),
              [&](std::size_t i) { Ap[i] = compact ? Ap[i] + (1 - compact_share_) * divergence(i) : divergence(i); });
@@ -113,6 +120,7 @@ void ConsistentPressure<D>::accelerate(std::span<double const> p) {
 template <int D>
 std::span<double const> ConsistentPressure<D>::diagonal() {
     if (!diagonal_.empty()) return diagonal_;
+    auto const of_C = compact_diagonal();
     diagonal_.resize(particles_->size());
     for_each(diagonal_.size(), [&](std::size_t i) {
         Lanes of_others(0.0);
@@ -120,7 +128,7 @@ std::span<double const> ConsistentPressure<D>::diagonal() {
             of_others += fetch_one(inverse_mass_.data(), j) * norm2(G);
         });
         double const of_A = sum(of_others) + inverse_mass_[i] * norm2(gradients_.own(i));
-        diagonal_[i] = (1 - compact_share_) * of_A + (compact_share_ > 0 ? compact_diagonal_[i] : 0);
+        diagonal_[i] = (1 - compact_share_) * of_A + (of_C.empty() ? 0 : of_C[i]);
     });
     return diagonal_;
 }

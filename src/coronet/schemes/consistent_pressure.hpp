@@ -44,6 +44,7 @@ public:
     std::size_t singular_matrices() const override { return gradients_.singular_matrices(); }
 
 private:
+    std::span<double const> compact_diagonal();
     void set_velocity(std::size_t i, Vector<double, D> const& v);
     double divergence(std::size_t i) const;
 
@@ -54,7 +55,7 @@ private:
     Particles<D>* particles_ = nullptr;
     std::vector<double> share_per_density_;  ///< d/rho
     KeptGradients<D> gradients_;             ///< with the entries of d C for its slopes
-    std::vector<double> compact_diagonal_;   ///< of d C
+    std::vector<double> compact_diagonal_;   ///< of d C; empty until it is asked for
     std::vector<double> velocity_[D];  ///< whose divergence is formed
     std::vector<double> diagonal_;     ///< empty until it is asked for
 };

@@ -8,11 +8,19 @@ void MeanOnBoundary<D>::set_up(Particles<D>& particles, Neighbours<D> const& nei
     inner_->set_up(particles, neighbours);
     particles_ = &particles;
     auto const view = particles.view();
-    std::size_t const n = particles.size();
     double const* const V = view.template at<Volume>();
     double const* const m = view.template at<Mass>();
     volume_ = boundary_->sums([&](std::size_t i) { return V[i]; });
     stiffness_ = boundary_->sums([&](std::size_t i) { return norm2(boundary_->of_content[i]) / m[i]; });
+    of_mean_.clear();
+}
+
+/// Finds c, if it is not known.
+template <int D>
+void MeanOnBoundary<D>::look_at_mean() {
+    if (!of_mean_.empty()) return;
+    double const* const m = particles_->view().template at<Mass>();
+    std::size_t const n = particles_->size();
     of_mean_.assign(boundary_->pieces, std::vector<double>(n));
     std::vector<Vector<double, D>> push(n);
     for (std::size_t k = 0; k < boundary_->pieces; ++k) {
@@ -61,6 +69,7 @@ void MeanOnBoundary<D>::split(std::span<double const> p) {
 
 template <int D>
 void MeanOnBoundary<D>::apply(std::span<double const> p, std::span<double> Ap) {
+    look_at_mean();
     split(p);
     inner_->apply(above_, Ap);
     std::vector<double> sums(mean_.size());

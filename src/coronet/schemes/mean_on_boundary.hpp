@@ -37,6 +37,7 @@ public:
     void accelerate(std::span<double const> p) override;
 
 private:
+    void look_at_mean();
     void split(std::span<double const> p);
     void replace_sums(std::vector<double> const& sums, std::span<double> b) const;
 
@@ -44,7 +45,7 @@ private:
     Boundary<D> const* boundary_ = nullptr;
     Particles<D>* particles_ = nullptr;
     std::vector<double> volume_, stiffness_;    ///< of each piece: sum V, G.M^-1 G
-    std::vector<std::vector<double>> of_mean_;  ///< c, of each piece
+    std::vector<std::vector<double>> of_mean_;  ///< c, of each piece; empty until it is asked for
     std::vector<double> mean_, above_;          ///< of the p at hand
 };
 

@@ -33,7 +33,8 @@ public:
         Phases untold;
         return project(particles, neighbours, step, untold);
     }
-    /// The same, and how long it took: `pressure rows` is the operator's set-up, `pressure solve` the rest.
+    /// The same, and how long it took: `pressure rows` is the operator's set-up, what is summed pair
+    /// by pair, `pressure solve` the rest.
     Solved project(Particles<D>& particles, Neighbours<D> const& neighbours, double step, Phases& phases) {
         std::size_t const n = particles.size();
         particles.template allocate<Pressure, Acceleration>();
