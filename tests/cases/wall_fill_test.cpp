@@ -85,8 +85,14 @@ TEST(WallShapes, EllipsesAreAsFarAsTheirNearestPoint) {
         }
         return x[0] * x[0] / 4 + x[1] * x[1] / 0.25 < 1 ? -least : least;
     };
-    for (Vector<double, 2> const& x :
-         {Vector<double, 2>{{0, 0}}, {{1.9, 0}}, {{0.3, 0}}, {{0, 0.2}}, {{3, 1}}, {{-1, -0.3}}, {{-0.1, 4}}, {{2, 0.5}}}) {
+    for (Vector<double, 2> const& x : {Vector<double, 2>{{0, 0}},
+                                       {{1.9, 0}},
+                                       {{0.3, 0}},
+                                       {{0, 0.2}},
+                                       {{3, 1}},
+                                       {{-1, -0.3}},
+                                       {{-0.1, 4}},
+                                       {{2, 0.5}}}) {
         auto const point = nearest_wall_point(ellipse, x);
         EXPECT_NEAR(point.distance, by_search(x), 1e-7);
         auto const on = x - point.distance * point.normal;

@@ -163,6 +163,16 @@ class Plot(unittest.TestCase):
         (run / "summary.json").write_text(json.dumps({"status": "done", "measures": measures}))
         self.assertIsNone(droplet.fit(Run(run)))
 
+    def test_a_breaking_dam_gets_its_front_or_its_pressure_beside_what_was_measured(self):
+        series = {"time": TIME, "front": 0.3 + TIME, "sensor_pressure": 1e3 * TIME}
+        tables = {"tall": (0.6, "dambreak_martin_moyce1952_a225"), "wide": (0.15, "dambreak_lobovsky2014_P1")}
+        for name, (height, table) in tables.items():
+            run = self.folder / name
+            write_run(run, name, series, more=f'[parameters]\nheight = {height}\n[fluid]\ndensity = 1000.0\n'
+                      'gravity = [0.0, -9.81]\n[[probes]]\nkind = "dam-break"\ndepth = "height"\nwidth = "0.3"\n')
+            (run / "profiles.csv").write_text(f"profile,position,computed,reference\n{table},1,2,3\n{table},2,3,4\n")
+            self.assert_draws(plot(run), run, "dam_break.png")
+
     def test_a_flow_curve_is_drawn_with_the_law_fitted_to_it(self):
         run = write_run(self.folder / "run", "falling", FALLING, more='[fluid]\nrheology = "bingham"\n')
         self.assertIsNone(Run(run).flow_curve)

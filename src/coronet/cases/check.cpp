@@ -186,11 +186,9 @@ void check_probes(Case const& c, Errors& errors) {
             say(errors, "probes.{}.at = [{}] is {:.4g} m from the nearest wall: a sensor is on its surface", k,
                 fmt::join(c.probes[k].at, ", "), away);
     }
-    auto const has_profile = [](ProbeKeys const& probe) {
-        return probe.kind == "channel" || probe.kind == "cavity" || probe.kind == "drag";
-    };
+    auto const has_profile = [](ProbeKeys const& probe) { return probe.kind == "channel" || probe.kind == "cavity"; };
     if (c.time.settled > 0 && std::none_of(c.probes.begin(), c.probes.end(), has_profile))
-        say(errors, "time.settled = {} wants a probe with a profile, of kind channel, cavity or drag", c.time.settled);
+        say(errors, "time.settled = {} wants a probe with a profile, of kind channel or cavity", c.time.settled);
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());

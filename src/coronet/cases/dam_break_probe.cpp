@@ -14,6 +14,7 @@ namespace coronet {
 
 namespace {
 
+constexpr double arrived = 0.1;                                            // pressure over rho g H
 constexpr double front_until = 2.5, plateau_from = 3.3, plateau_to = 5.3;  // t sqrt(2 g/H); t sqrt(g/H)
 
 struct Reference {
@@ -51,6 +52,12 @@ double Curve::mean(double from, double to) const {
         if (time[k] > from && time[k] < to) go(time[k], value[k]);
     go(to, at(to));
     return sum / (to - from);
+}
+
+double Curve::first_above(double least) const {
+    for (std::size_t k = 0; k < time.size(); ++k)
+        if (value[k] > least) return time[k];
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 Curve builtin_curve(std::string const& name) {
@@ -139,7 +146,10 @@ std::vector<Measure> DamBreakProbe::measures() const {
         list.push_back({"front_error", worst, 0.0, worst, "the largest of them"});
     }
     if (std::fabs(width_ / height_ - 2) < 0.01) {
-        double const mean = pressure_.mean(plateau_from, plateau_to);
+        double const mean = pressure_.mean(plateau_from, plateau_to), arrival = pressure_.first_above(arrived),
+                     measured = builtin_curve(pressures[0].table).first_above(arrived);
+        list.push_back({"arrival_error", arrival / measured - 1, 0.0, arrival / measured - 1,
+                        std::string(pressures[0].source) + "; of the time at which the sensor feels 0.1 rho g H"});
         for (Reference const& reference : pressures) {
             double const error = mean / builtin_curve(reference.table).mean(plateau_from, plateau_to) - 1;
             list.push_back({reference.measure, error, 0.0, error,

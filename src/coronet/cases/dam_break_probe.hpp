@@ -7,8 +7,9 @@
 //     and Y. Oka, Nucl. Sci. Eng. 123 (1996) 421, measured, to t sqrt(2 g/H) = 2.5;
 //   - for W = 2 H and a tank 5.366 H long, the pressure 0.01 H above the floor in the wall opposite: measured by L.
 //     Lobovsky et al., J. Fluids Struct. 48 (2014) 407, and computed by J. J. De Courcy et al., Comput. Methods Appl.
-//     Mech. Eng. 420 (2024) 116700, for a liquid without viscosity in two dimensions. What is compared is the mean from
-//     t sqrt(g/H) = 3.3 to 5.3, between the first impact and what falls back.
+//     Mech. Eng. 420 (2024) 116700, for a liquid without viscosity in two dimensions. What is compared is when
+//     the front arrives, a pressure of 0.1 rho g H, and the mean from t sqrt(g/H) = 3.3 to 5.3, between the first impact
+//     and what falls back.
 // Times are from when the column is let go.
 
 #include "coronet/cases/sensor_probe.hpp"
@@ -24,6 +25,8 @@ struct Curve {
     double at(double t) const;
     /// The mean over [from, to]; NaN where the curve does not reach that far.
     double mean(double from, double to) const;
+    /// When it first exceeds a value; NaN where it never does.
+    double first_above(double value) const;
 };
 
 /// A table of cases/reference by its name; empty where there is none.

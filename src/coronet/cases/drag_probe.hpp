@@ -18,7 +18,6 @@ public:
     /// The drag coefficient K, and F_x over f sum m, which is 1 in a steady flow.
     std::vector<double> sample(Snapshot<3> const& now) override;
     std::vector<Measure> measures() const override;
-    std::vector<Profile> profiles() const override { return {{"drag_coefficient", {0}, {drag_}, {exact_}}}; }
 
 private:
     std::size_t wall_;
