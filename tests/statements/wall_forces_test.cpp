@@ -2,6 +2,9 @@
 
 // What liquid does to walls, and walls that move to liquid.
 
+#include <complex>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "coronet/cases/probe.hpp"
@@ -226,6 +229,33 @@ TEST(MovingWalls, PushLiquidAndAreFeltThroughAPeriodicFace) {
         from[0] -= std::round(from[0]);
         EXPECT_GT(std::sqrt(norm2(from)), 0.17 - 0.05);  // nothing is run over, but in notches of the lattice
     }
+}
+
+TEST(MovingWalls, DragLiquidToAndFroAsStokesSays) {
+    // Between two plates that swing along themselves with u_w = U cos(w t): u = Re U exp(i w t) cosh(k y)/cosh(k/2),
+    // k^2 = i w/nu, on either side of the middle of a gap of 1.
+    double const w = 2 * std::numbers::pi, nu = 0.3, U = 0.4;
+    auto c = tank({.velocity = "'0.4*(abs(y - 0.5) + 0.5)', 0", .pressure = "0", .periodic = "x", .jitter = 0});
+    c.walls.pop_back();
+    c.walls[0].displacement = {"0.4/(2*pi)*sin(2*pi*t)", "0"};
+    auto const scheme = make_scheme<2>(c);
+    double time = 0;
+    while (time < 2.2) {
+        scheme->begin_step(time);
+        double const step = std::min(scheme->time_limit().step, 2.2 - time + 1e-12);
+        scheme->advance(time, step);
+        time += step;
+    }
+    std::complex<double> const k = std::sqrt(std::complex<double>(0, w / nu));
+    auto const view = scheme->particles().view();
+    double sum2 = 0;
+    for (std::size_t i = 0; i < scheme->particles().owned(); ++i) {
+        double const y = view.get<Position>(i)[1] - 0.5;
+        auto const exact =
+            U * std::real(std::exp(std::complex<double>(0, w * time)) * std::cosh(k * y) / std::cosh(0.5 * k));
+        sum2 += std::pow(view.get<Velocity>(i)[0] - exact, 2);
+    }
+    EXPECT_LT(std::sqrt(sum2 / static_cast<double>(scheme->particles().owned())), 0.015 * U);
 }
 
 TEST(Threads, ChangeNoBitBetweenMovingWalls) {

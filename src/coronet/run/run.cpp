@@ -36,6 +36,21 @@ void prepare(fs::path const& directory, bool overwrite) {
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
 }
 
+/// Copies the files that walls were read from beside the case, which names the copies from then on.
+void keep_surfaces(Case& as_run, fs::path const& directory) {
+    for (std::size_t k = 0; k < as_run.walls.size(); ++k) {
+        Wall& wall = as_run.walls[k];
+        if (!wall.surface) continue;
+        fs::path const from = wall.surface->file();
+        wall.file = fmt::format("wall_{}{}", k, from.extension().string());
+        auto const to = directory / wall.file;
+        std::error_code failed;
+        if (fs::equivalent(from, to, failed)) continue;  // the run goes where its case lies
+        fs::copy_file(from, to, fs::copy_options::overwrite_existing, failed);
+        if (failed) throw CaseError(fmt::format("{} cannot be written: {}", to.string(), failed.message()));
+    }
+}
+
 std::string advice(Case const& c) {
     if (c.method.scheme == "projection")
         return "A shorter time.step may help, a larger method.compact_share where the solve did not converge, or some "
@@ -114,16 +129,7 @@ RunStatus run_case(Case const& c, RunOptions const& options) {
         as_run.fluid.flow_curve = "flow_curve.csv";
         write_whole(options.directory / as_run.fluid.flow_curve, write_flow_curve(*c.flow_curve_fit));
     }
-    for (std::size_t k = 0; k < c.walls.size(); ++k) {
-        if (!c.walls[k].surface) continue;
-        std::filesystem::path const source = c.walls[k].surface->file();
-        as_run.walls[k].file = fmt::format("wall_{}{}", k, source.extension().string());
-        auto const copy = options.directory / as_run.walls[k].file;
-        std::error_code failed;
-        if (!fs::equivalent(source, copy, failed))
-            fs::copy_file(source, copy, fs::copy_options::overwrite_existing, failed);
-        if (failed && !fs::exists(copy)) throw CaseError(fmt::format("{} cannot be written", copy.string()));
-    }
+    keep_surfaces(as_run, options.directory);
     write_whole(options.directory / "case.toml", write_case(as_run));
     return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);
 }
