@@ -21,6 +21,7 @@ struct TankOptions {
     std::string liquid = "viscosity = 0.3", viscous_force = "morris", slip = "none", periodic = "none", motion = "";
     double jitter = 0.2, gravity = 0;
     std::string more = "";  ///< of the method
+    std::string stepping = "predictor-corrector";
 };
 
 /// A square of liquid of density 1 in a closed tank of 1 m, with a disc that stands in it; two walls.
@@ -33,13 +34,13 @@ Case tank(TankOptions const& o) {
             "[initial]\nvelocity = [{}]\npressure = '{}'\n"
             "[fluid]\ndensity = 1\n{}\nsound_speed = 20\ngravity = [0, {}]\n"
             "[method]\ngradient = '{}'\nviscous_force = '{}'\nkernel = 'wendland-c2'\nsupport = 3.2\n{}\n"
-            "[time]\nend = 1\n"
+            "[time]\nend = 1\nstepping = '{}'\n"
             "[[shapes]]\nkind = 'box'\ncentre = [0.5, 0.5]\nsize = [1, 1]\n"
             "[[walls]]\nname = 'tank'\nkind = 'box'\ncentre = [0.5, 0.5]\nsize = [{}, 1]\nslip = '{}'\n{}\n"
             "[[walls]]\nname = 'pin'\nkind = 'disc'\nsolid = 'inside'\ncentre = [0.45, 0.55]\nradius = 0.17\n{}\n",
             o.periodic == "x" ? "[domain]\nperiodic = 'x'\ncentre = [0.5, 0.5]\nsize = [1, 1]\n" : "", o.jitter,
-            o.velocity, o.pressure, o.liquid, o.gravity, o.gradient, o.viscous_force, o.more, o.periodic == "x" ? 9 : 1,
-            o.slip, o.motion, o.motion),
+            o.velocity, o.pressure, o.liquid, o.gravity, o.gradient, o.viscous_force, o.more, o.stepping,
+            o.periodic == "x" ? 9 : 1, o.slip, o.motion, o.motion),
         "tank");
 }
 
@@ -70,7 +71,8 @@ TEST(WallForces, AreWhatTheLiquidLosesToRoundOff) {
         {.slip = "free", .gravity = -3},
         {.more = "artificial_viscosity = 0.2"},
         {.liquid = thinning},
-        {.gradient = "fpm", .liquid = "viscosity = 0", .viscous_force = "stress", .periodic = "x"}};
+        {.gradient = "fpm", .liquid = "viscosity = 0", .viscous_force = "stress", .periodic = "x"},
+        {.gradient = "fpm", .periodic = "x"}};
     for (auto const& options : cases) {
         auto const scheme = evaluated<2>(tank(options));
         auto const& particles = scheme->particles();
@@ -82,6 +84,19 @@ TEST(WallForces, AreWhatTheLiquidLosesToRoundOff) {
             });
             EXPECT_NEAR(sum + on_tank.force[k] + on_pin.force[k], 0, 1e-13 * size);
             EXPECT_GT(std::fabs(on_pin.force[k]), 1e-4 * size);
+        }
+    }
+}
+
+TEST(WallForces, AreThoseOfNowWithSymplecticStepsToo) {
+    for (auto options : {TankOptions{}, TankOptions{.gradient = "fpm", .periodic = "x"}}) {
+        auto const scheme = evaluated<2>(tank(options));
+        options.stepping = "symplectic-euler";
+        auto const other = evaluated<2>(tank(options));
+        for (int wall : {0, 1}) {
+            auto const load = wall_load<2>(scheme->particles(), wall, {}),
+                       same = wall_load<2>(other->particles(), wall, {});
+            for (int k = 0; k < 2; ++k) EXPECT_NEAR(load.force[k], same.force[k], 1e-12);
         }
     }
 }

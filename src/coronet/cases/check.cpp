@@ -182,9 +182,11 @@ void check_probes(Case const& c, Errors& errors) {
         if (c.walls.empty() || (c.probes[k].kind != "sensor" && c.probes[k].kind != "dam-break")) continue;
         Vector<double, D> at;
         for (int a = 0; a < D; ++a) at[a] = c.probes[k].at[static_cast<std::size_t>(a)];
-        if (double const away = -Solid<D>(c).deepest(at).depth; away > c.particles.spacing)
-            say(errors, "probes.{}.at = [{}] is {:.4g} m from the nearest wall: a sensor is on its surface", k,
+        if (double const away = std::fabs(Solid<D>(c).deepest(at).depth); away > c.particles.spacing)
+            say(errors, "probes.{}.at = [{}] is {:.4g} m from the surface of the nearest wall: a sensor is on it", k,
                 fmt::join(c.probes[k].at, ", "), away);
+        if (std::any_of(c.walls.begin(), c.walls.end(), moves))
+            say(errors, "probes.{}: a sensor does not go along with walls, and one of them moves: leave it away", k);
     }
     auto const has_profile = [](ProbeKeys const& probe) { return probe.kind == "channel" || probe.kind == "cavity"; };
     if (c.time.settled > 0 && std::none_of(c.probes.begin(), c.probes.end(), has_profile))
@@ -194,13 +196,14 @@ void check_probes(Case const& c, Errors& errors) {
     std::set<std::string> columns(standard.begin(), standard.end());
     for (char const* const reading : {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations",
                                       "wall_force_x", "wall_force_y", "wall_force_z", "surface_energy",
-                                      "surface_content"})
+                                      "surface_content", "surface_energy_jumps"})
         columns.insert(reading);  // of the schemes
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)
                 say(errors,
-                    "the column '{}' of the series is there already: give the probe another name, or leave it away",
+                    "the column '{}' of the series is there already: give the probe, or its wall, another name, or leave it "
+                    "away",
                     column);
 }
 
@@ -357,14 +360,19 @@ void check(Case const& c, Errors& errors) {
             "'hexagonal'");
     if (c.particles.lattice == "shells" && (!c.walls.empty() || c.domain.periodic != "none"))
         say(errors, "particles.lattice = 'shells' has no place for walls and periodic boundaries: use 'square'");
+    if (c.particles.lattice == "shells" && (c.particles.rotation != 0 || c.particles.origin != "node"))
+        say(errors,
+            "particles.rotation and particles.origin are of lattices, and particles.lattice is 'shells': leave them "
+            "away");
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
-    if (c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (closed && c.method.shifting != "none") ||
-        (thesis && c.surface.pressure != "free")) {
+    bool const fits = c.fluid.surface_tension > 0 || c.method.shifting == "sun" ||
+                      (thesis && c.surface.pressure != "free");
+    if (fits || (closed && c.method.shifting != "none")) {
         if (2 * c.surface.coverage_radius > c.method.support)
             say(errors,
                 "surface.coverage_radius = {} is above half of method.support = {}: neighbours are not known that far",
                 c.surface.coverage_radius, c.method.support);
-        if (c.surface.fit_width > c.method.support)
+        if (fits && c.surface.fit_width > c.method.support)
             say(errors, "surface.fit_width = {} is above method.support = {}: neighbours are not known that far",
                 c.surface.fit_width, c.method.support);
     }

@@ -9,11 +9,9 @@
 // number mu/sqrt(rho sigma R),
 //     s^2 + 2 nu n s ((n - 1) + C (z K + n - 1)) + w0^2 (1 + C) = 0,
 //     C = -2 n (n - 1)/(z^2 + 2 n (n - 1) - 2 z K),   z^2 = s/nu,   K = I_{n+1}(z)/I_n(z).
-
 //
-// In 3D, r = R (1 + a P_n(cos theta)) and w^2 = n (n - 1) (n + 2) sigma/(rho R^3), with a little viscosity b = (n - 1)
-// (2n
-// + 1) nu/R^2 (Lamb); exactly, in the same way (its equation is that of W. H. Reid, Q. Appl. Math. 18 (1960) 86),
+// In 3D, r = R (1 + a P_n(cos theta)) and w^2 = n (n - 1) (n + 2) sigma/(rho R^3), with a little viscosity
+// b = (n - 1) (2n + 1) nu/R^2 (Lamb); exactly, in the same way (its equation is that of W. H. Reid, Q. Appl. Math. 18 (1960) 86),
 //     s^2 + 2 nu s (n (n - 1) + n (n + 1) C (z K + n - 1)) + w0^2 (1 + (n + 1) C) = 0,
 //     C = -2 (n - 1)/(z^2 + 2 (n^2 - 1) - 2 z K),   K = I_{n+3/2}/I_{n+1/2}.
 

@@ -105,7 +105,8 @@ ShiftingSettings shifting(Case const& c) {
             : name == "jahanbakhsh" ? ShiftVector::jahanbakhsh
             : name == "sun"         ? ShiftVector::sun
                                     : ShiftVector::none,
-            c.method.shifting_coefficient, c.particles.spacing, surface_settings(c)};
+            c.method.shifting_coefficient, c.particles.spacing, surface_settings(c),
+            std::any_of(c.walls.begin(), c.walls.end(), moves)};
 }
 
 template <int D>

@@ -86,9 +86,13 @@ void check_motion(Wall const& wall, std::size_t k, Case const& c, Errors& errors
                 "walls.{}.{} = '{}' is {} {} at t = 0, but must be 0 there: the wall begins where its centre says", k,
                 key, text, start, unit);
         Formula formula(text, c.parameters);
-        for (int n = 1; n <= 100; ++n)
-            if (double const t = c.time.end * n / 100; !std::isfinite(formula(Vector<double, 3>{}, t)))
-                return say(errors, "walls.{}.{} = '{}' is not finite at t = {} s", k, key, text, t);
+        for (int n = 1; n <= 100; ++n) {
+            double const t = c.time.end * n / 100, here = formula(Vector<double, 3>{}, t);
+            if (!std::isfinite(here)) return say(errors, "walls.{}.{} = '{}' is not finite at t = {} s", k, key, text, t);
+            if (formula(Vector<double, 3>{{0.37, 0.53, 0.71}}, t) != here)
+                return say(errors, "walls.{}.{} = '{}' depends on x, y or z, but a wall moves as a whole: use t alone", k,
+                           key, text);
+        }
     };
     for (std::string const& text : wall.displacement) check("displacement", text, "m");
     check("turn", wall.turn, "degrees");

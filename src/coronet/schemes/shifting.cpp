@@ -103,7 +103,8 @@ double volume_of(Particles<D> const& particles) {
 template <int D>
 void Shifting<D>::note_volume(Particles<D>& particles, Neighbours<D> const& neighbours) {
     started_ = true;
-    if (particles.size() == particles.owned()) return;  // neither walls nor periodic boundaries
+    bool const open = particles.size() == particles.owned();  // neither walls nor periodic boundaries
+    if (open || settings_.walls_move) return;
     mark_surface(particles, neighbours, settings_.surface.coverage_radius);
     auto const surface = particles.view().template at<Surface>();
     if (sum_over(particles.owned(), 0.0, [&](std::size_t i) { return surface[i]; }) == 0)

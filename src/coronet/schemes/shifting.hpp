@@ -20,8 +20,8 @@
 //
 // Volume in a closed domain: particles that the flow has brought out of order have taken volume along (the sum of V
 // div v is -2 sum V v . grad C, C the concentration of the particles), and the shift brings them back without it, so
-// that density and pressure would rise for ever. Liquid without a free surface at the start fills its walls and its
-// periodic box for good: after each shift all its densities are multiplied by what makes its volume that of the start.
+// that density and pressure would rise for ever. Liquid without a free surface at the start fills its walls, if
+// they do not move, and its periodic box for good: after each shift all its densities are multiplied by what makes its volume that of the start.
 //
 // What it conserves: mass, and linear fields. Momentum changes by sum m d . grad v a step, energy accordingly: little
 // inside, where shifts have no common direction, and much where a surface spreads (docs/method.md).
@@ -42,6 +42,7 @@ struct ShiftingSettings {
     double coefficient = 0;  ///< K
     double spacing = 0;      ///< of the particles at the start [m]
     SurfaceSettings surface;
+    bool walls_move = false;  ///< then no liquid is held to its volume
 };
 
 template <int D>

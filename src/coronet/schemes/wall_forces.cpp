@@ -46,7 +46,11 @@ void find_wall_forces(Particles<D>& particles, Neighbours<D> const& neighbours,
         double const mass = view.template get<Volume>(w) * view.template get<Density>(w);
         view.template set<WallForce>(w, mass * sums.dv);
     };
-    if (settings.gradient == Gradient::fpm) {
+    bool const fpm = settings.gradient == Gradient::fpm, morris = settings.viscous_force == ViscousForce::morris;
+    if (fpm && morris) {
+        CorrectedMorrisViscosity const viscosity{settings.liquid.rheology.viscosity};
+        sweep_walls(CorrectedPressureAndMorris{{}, viscosity, terms}, take);
+    } else if (fpm) {
         // The law's sums lack what a particle adds itself.
         sweep_walls(MirrorSums{}, [&](std::size_t w, auto const& sums) {
             double const per_V = 1 / view.template get<Volume>(w);

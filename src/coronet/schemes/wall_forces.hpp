@@ -9,7 +9,7 @@
 
 namespace coronet {
 
-/// Sets WallForce [N]; of a state whose rates have been evaluated.
+/// Sets WallForce [N], of a state for which what the force sweep reads is up to date.
 template <int D>
 void find_wall_forces(Particles<D>& particles, Neighbours<D> const& neighbours,
                       typename WeaklyCompressible<D>::Settings const& settings);

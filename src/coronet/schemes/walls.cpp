@@ -75,7 +75,7 @@ Vector<double, D> Walls<D>::held_off(Particles<D> const& particles, Neighbours<D
         double const depth = 0.5 * std::sqrt(norm2(to_mirror));
         auto const n = (0.5 / depth) * to_mirror;
         double const above = dot(from, n), aside2 = norm2(from) - above * above;
-        if (aside2 > 4 * least * least) continue;
+        if (above <= 0 || aside2 > 4 * least * least) continue;
         double const room = std::max(above - depth - least, 0.0), in = -dot(d, n);
         if (in > room) d += (in - room) * n;
     }

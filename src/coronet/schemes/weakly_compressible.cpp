@@ -30,6 +30,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
               settings.kernel, settings.precision, settings.lattice_slope_moment, settings.wall_contact}),
       shifting_(settings.shifting, settings.kernel, settings.precision) {
     if (settings.implicit_viscosity) implicit_viscosity_.emplace(settings.kernel, settings.solve);
+    if (settings.shift_range > 0) conserving_shift_.emplace(settings.shift_range);
     particles_.allocate(Fields<Position, Velocity, Density, Mass, Volume, Pressure, SoundSpeed, Acceleration,
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;
@@ -56,7 +57,11 @@ void WeaklyCompressible<D>::sweep_parts(Parts const&... parts) {
 
 template <int D>
 void WeaklyCompressible<D>::begin_step(double time) {
-    if (settings_.stepping == Stepping::symplectic_euler) phases_.act("neighbours", [&] { update_neighbours(); });
+    if (settings_.stepping == Stepping::symplectic_euler)
+        phases_.act("neighbours", [&] {
+            walls_.move(particles_, settings_.box, time);
+            update_neighbours();
+        });
     else evaluate(time);
     phases_.act("check", [&] { check_state(particles_); });
 }
@@ -155,17 +160,6 @@ std::vector<Reading> WeaklyCompressible<D>::readings() const {
     return list;
 }
 
-/// Between particles of liquid forces are opposite, so what is left of their sum came from the walls. Before body
-/// forces are added.
-template <int D>
-void WeaklyCompressible<D>::sum_wall_force() {
-    if (particles_.count(Role::wall) == 0) return;
-    auto const view = particles_.view();
-    wall_force_ = sum_over(particles_.owned(), Vector<double, D>{}, [&](std::size_t i) {
-        return view.template get<Mass>(i) * (settings_.gravity - view.template get<Acceleration>(i));
-    });
-}
-
 template <int D>
 void WeaklyCompressible<D>::evaluate(double time, double dt) {
     phases_.act("neighbours", [&] {
@@ -178,7 +172,10 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
     if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
     // What pressure the density will have must be known before the forces: then one sweep is not enough.
     bool const at_walls = particles_.count(Role::wall) > 0, ahead = dt > 0;
-    if (!one_sweep() || ahead) phases_.act("gradients", [&] { gradients_and_stress(at_walls ? 0 : dt); });
+    if (!one_sweep() || ahead) {
+        phases_.act("gradients", [&] { gradients_and_stress(at_walls ? 0 : dt); });
+        count_singular();
+    }
     if (ahead && particles_.size() > particles_.owned()) phases_.act("walls", [&] { look_ahead(dt); });
     if (one_sweep()) phases_.act("rates", [&] { rates_in_one_sweep(); });
     else phases_.act("forces", [&] { forces(); });
@@ -186,7 +183,6 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
         phases_.act("walls", [&] {
             if (one_sweep() || !ahead) walls_.add_to_density_rate(particles_, neighbours_);
             walls_.add_contact(particles_);
-            sum_wall_force();
         });
     if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
     else if (settings_.surface.tension > 0)
@@ -300,22 +296,35 @@ void WeaklyCompressible<D>::gradients_and_stress(double dt) {
                         Part{zones_.deep, PlainGradients{}, plain});
             break;
     }
+}
+
+template <int D>
+void WeaklyCompressible<D>::count_singular() {
+    if (settings_.gradient == Gradient::sph) return;
+    double const* const fell_back = particles_.view().template at<FellBack>();
     counters_.singular_now = static_cast<std::int64_t>(
-        sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
+        sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return fell_back[i]; }));
     counters_.singular_matrices += counters_.singular_now;
+}
+
+/// Of what the gradient sweep gave, for the force sweep.
+template <int D>
+void WeaklyCompressible<D>::refresh_images() {
+    auto const& images = neighbours_.images();
+    if (variable_morris()) images.refresh(particles_, Fields<Viscosity>{});
+    else if (corrected_morris()) images.refresh(particles_, Fields<SlopeCorrection, ValueCorrection>{});
+    else if (settings_.gradient == Gradient::sph) images.refresh(particles_, Fields<Stress>{});
+    else images.refresh(particles_, Fields<CorrectedStress, StressOffset>{});
 }
 
 template <int D>
 void WeaklyCompressible<D>::forces() {
+    refresh_images();
     if (variable_morris()) {
-        neighbours_.images().refresh(particles_, Fields<Viscosity>{});
         sweep_parts(Part{neighbours_.all(), PressureAndVariableMorris{{}, {}, settings_.pair_terms},
                          PlainForceClose<D>{settings_.gravity}});
         return;
     }
-    if (corrected_morris()) neighbours_.images().refresh(particles_, Fields<SlopeCorrection, ValueCorrection>{});
-    else if (settings_.gradient == Gradient::sph) neighbours_.images().refresh(particles_, Fields<Stress>{});
-    else neighbours_.images().refresh(particles_, Fields<CorrectedStress, StressOffset>{});
     PlainForceClose<D> const plain_close{settings_.gravity};
     CorrectedForceClose<D> const corrected_close{settings_.gravity};
     auto const forces_of = [&](auto const& plain, auto const& corrected) {
@@ -368,9 +377,20 @@ void WeaklyCompressible<D>::rates_in_one_sweep() {
 
 template <int D>
 void WeaklyCompressible<D>::refresh() {
-    if (settings_.shift_range > 0) conserving_shift_.emplace(settings_.shift_range);
     update_state();
+    if (particles_.count(Role::wall) == 0) return;
+    if (settings_.stepping == Stepping::symplectic_euler) {  // what was evaluated last is a step old
+        update_surroundings();
+        if (!one_sweep()) {
+            gradients_and_stress(0);
+            refresh_images();
+        }
+    }
     find_wall_forces(particles_, neighbours_, settings_);
+    auto const view = particles_.view();
+    wall_force_ = sum_over(particles_.count(Role::wall), Vector<double, D>{}, [&](std::size_t k) {
+        return view.template get<WallForce>(particles_.begin(Role::wall) + k);
+    });
 }
 
 template <int D>

@@ -105,7 +105,8 @@ private:
     void update_state();
     void update_surroundings();
     void look_ahead(double dt);
-    void sum_wall_force();
+    void count_singular();
+    void refresh_images();
     void find_boundary_and_mean_pressure();
     void act_on_boundary();
     void predict_and_correct(double time, double step);

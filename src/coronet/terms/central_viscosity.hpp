@@ -34,8 +34,8 @@ struct CentralViscosity {
                      .at_most = 1},
                     share);
     }
-    bool active() const { return viscosity > 0; }
-    double step_limit(double h, double /*c*/) const { return 0.125 * h * h * density / viscosity; }
+    bool active() const { return share > 0; }
+    double step_limit(double h, double /*c*/) const { return 0.125 * h * h * density / viscosity; }  // infinite without
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
