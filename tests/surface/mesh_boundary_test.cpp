@@ -178,6 +178,17 @@ TEST(MeshBoundary, OfADropIsItsSphere) {
     }
 }
 
+TEST(MeshBoundary, OfACubeIsItsCells) {
+    Points points;
+    int const n = 10;
+    for (int x = 0; x < n; ++x)
+        for (int y = 0; y < n; ++y)
+            for (int z = 0; z < n; ++z) points.push_back({{1.0 * x, 1.0 * y, 1.0 * z}});
+    auto const boundary = Found(points).boundary;
+    EXPECT_NEAR(boundary.content[0], n * n * n, 0.01 * n * n * n);
+    EXPECT_NEAR(boundary.size[0], 6 * n * n, 0.01 * 6 * n * n);
+}
+
 TEST(MeshBoundary, MovesAsTheLiquidDoesInAFlowWithoutDivergence) {
     // A drop drawn to a spheroid of twice the length: where it is, the layer outside of the outermost particles is
     // thinner at the sides and thicker at the ends, so that no content is lost, and the area is that of the spheroid.

@@ -13,7 +13,7 @@ namespace {
 using Vector3 = Vector<double, 3>;
 
 constexpr double least_share = 0.5;   // s_v [spacings^2]
-constexpr double least_normal = 0.2;  // |N_v| over the area around v
+constexpr double least_normal = 0.5;  // |N_v| over the area around v
 
 Vector3 cross(Vector3 const& a, Vector3 const& b) {
     return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
@@ -51,7 +51,7 @@ public:
             vertex.folded = length < least;
             double const share = std::max(vertex.share, least_share * spacing * spacing);
             double const scale = std::max(length, least);
-            vertex.out = scale > 0 ? volume / (2 * share * scale) : 0;
+            vertex.out = scale > 0 ? volume * vertex.area / (2 * share * scale * scale) : 0;
             corners_[v] += vertex.out * vertex.normal;
         });
     }
@@ -127,9 +127,9 @@ private:
         auto const& vertex = vertex_[v];
         if (vertex.out == 0) return {};
         double const outwards = vertex.out * dot(by_corner, vertex.normal);  // what lengthening the way out does
-        ByVertex slope{vertex.out * by_corner, 0, 0};
+        ByVertex slope{vertex.out * by_corner, outwards / vertex.area, 0};
         if (vertex.folded) slope.area = -outwards / vertex.area;
-        else slope.normal += (-outwards / norm2(vertex.normal)) * vertex.normal;
+        else slope.normal += (-2 * outwards / norm2(vertex.normal)) * vertex.normal;
         if (!vertex.crowded) slope.share = -outwards / vertex.share;
         return slope;
     }
