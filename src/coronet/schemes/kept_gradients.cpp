@@ -2,7 +2,6 @@
 #include "coronet/schemes/kept_gradients.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "coronet/core/parallel.hpp"
 #include "coronet/terms/gradient_correction.hpp"
@@ -145,7 +144,7 @@ template <int D>
 template <int D>
 void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
                               GradientKind kind, std::span<double const> conductance) {
-    std::size_t const n = particles.size(), stride = 4 * n;
+    std::size_t const n = particles.owned(), stride = 4 * n;
     auto const view = particles.view();
     Records const records{particles.template scratch<double>((1 + Records::groups) * stride), stride};
     lay(neighbours, n, !conductance.empty());
@@ -154,14 +153,20 @@ void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const
         records.position(i, D) = view.template at<Volume>()[i];
         records.correction(i, Records::conductance) = conductance.empty() ? 0 : conductance[i];
     });
-    auto const list_all = [&]<int knots>(std::integral_constant<int, knots>) {
-        return sum_over(n, 0.0,
-                        [&](std::size_t i) { return list<knots>(i, records, neighbours, kernel, kind) ? 1.0 : 0.0; });
+    // Work is divided by pairs.
+    Targets const& all = neighbours.all();
+    auto const for_rows = [&](auto const& act) {
+        for_blocks(all.blocks(), [&](std::size_t block) {
+            for (std::size_t i = all.begin[block]; i < all.begin[block + 1]; ++i) act(i);
+        });
     };
-    singular_matrices_ =
-        static_cast<std::size_t>(kernel.knots == 1 ? list_all(std::integral_constant<int, 1>{})
-                                                   : list_all(std::integral_constant<int, Kernel::most_knots>{}));
-    for_each(n, [&](std::size_t i) { weigh(i, records, neighbours); });
+    std::vector<char> fell_back(n);
+    for_rows([&](std::size_t i) {
+        fell_back[i] = kernel.knots == 1 ? list<1>(i, records, neighbours, kernel, kind)
+                                         : list<Kernel::most_knots>(i, records, neighbours, kernel, kind);
+    });
+    for_rows([&](std::size_t i) { weigh(i, records, neighbours); });
+    singular_matrices_ = static_cast<std::size_t>(std::count(fell_back.begin(), fell_back.end(), true));
 }
 
 template class KeptGradients<2>;
