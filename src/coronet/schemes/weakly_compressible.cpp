@@ -278,7 +278,6 @@ void WeaklyCompressible<D>::act_on_boundary() {
 
 template <int D>
 void WeaklyCompressible<D>::gradients_and_stress(double dt) {
-    auto const view = particles_.view();
     CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt};
     PlainClose const plain{settings_.liquid, dt};
     switch (settings_.gradient) {

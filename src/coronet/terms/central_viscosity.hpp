@@ -41,6 +41,7 @@ struct CentralViscosity {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         constexpr int D = decltype(ij.x)::size;
+        if (viscosity == 0) return give<gives>(ij, Vector<R, D>{});  // other terms do not wait for it
         R const rate = dot(ij.i.v - ij.j.v, ij.x) * ij.soft;
         return give<gives>(ij, (R(2 * (D + 2) * viscosity) * (1.0 / ij.i.rho) * rate * (ij.j.V * ij.F)) * ij.x);
     }
