@@ -70,7 +70,9 @@ TEST(ClosedSurface, OfACubeIsWhereTheCubeIs) {
         EXPECT_NEAR(distance, distance_to_unit_cube(x), 1e-14);
         EXPECT_NEAR(norm2(normal), 1, 1e-12);
         // Along the normal lies the surface.
-        if (distance != 0) EXPECT_NEAR(distance_to_unit_cube(x - distance * normal), 0, 1e-14);
+        if (distance != 0) {
+            EXPECT_NEAR(distance_to_unit_cube(x - distance * normal), 0, 1e-14);
+        }
     }
 }
 
@@ -120,7 +122,9 @@ TEST(ClosedSurface, OfASphereIsWithinItsSagitta) {
         double const r = std::sqrt(norm2(x));
         auto const [distance, normal] = found.nearest(x);
         EXPECT_NEAR(distance, r - radius, 1.5e-3 * radius);
-        if (r > 0.2 * radius && std::fabs(r - radius) > 0.05 * radius) EXPECT_GT(dot(normal, x), 0.98 * r);
+        if (r > 0.2 * radius && std::fabs(r - radius) > 0.05 * radius) {
+            EXPECT_GT(dot(normal, x), 0.98 * r);
+        }
     }
     EXPECT_NEAR(found.volume(), 4 * std::numbers::pi / 3 * std::pow(radius, 3), 3e-3 * found.volume());
     EXPECT_NEAR(surface(sphere(400, 3), 1e-3).volume(), surface(sphere(0.4, 3)).volume(), 1e-12);

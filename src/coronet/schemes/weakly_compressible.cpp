@@ -240,42 +240,6 @@ void WeaklyCompressible<D>::look_ahead(double dt) {
     update_surroundings();
 }
 
-/// Leaves in Pressure what exceeds the mean of each piece of liquid.
-template <int D>
-void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
-    boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
-    auto const view = particles_.view();
-    double const* const V = view.template at<Volume>();
-    double* const p = view.template at<Pressure>();
-    auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
-    mean_pressure_ = boundary_.sums([&](std::size_t i) { return V[i] * p[i]; });
-    for (std::size_t k = 0; k < volume.size(); ++k) mean_pressure_[k] /= volume[k];
-    for_each(particles_.size(), [&](std::size_t i) { p[i] -= mean_pressure_[boundary_.piece_of(i)]; });
-}
-
-/// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
-/// the particles differ in; the pressure is whole again.
-template <int D>
-void WeaklyCompressible<D>::act_on_boundary() {
-    auto const view = particles_.view();
-    double const* const m = view.template at<Mass>();
-    double const* const V = view.template at<Volume>();
-    double const* const rho = view.template at<Density>();
-    double* const rate = view.template at<DensityRate>();
-    auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
-    auto const excess = boundary_.sums([&](std::size_t i) {
-        return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + V[i] * rate[i] / rho[i];
-    });
-    add_tension(particles_, boundary_, settings_.surface.tension);
-    for_each(particles_.size(), [&](std::size_t i) {
-        std::size_t const k = boundary_.piece_of(i);
-        view.template set<Acceleration>(
-            i, view.template get<Acceleration>(i) + (mean_pressure_[k] / m[i]) * boundary_.of_content[i]);
-        view.template at<Pressure>()[i] += mean_pressure_[k];
-        rate[i] -= rho[i] * excess[k] / volume[k];
-    });
-}
-
 template <int D>
 void WeaklyCompressible<D>::gradients_and_stress(double dt) {
     CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt};
