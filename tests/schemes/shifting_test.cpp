@@ -77,7 +77,8 @@ struct Box {
                              kernel, Precision::full);
         for (int k = 0; k < times; ++k) {
             neighbours.update(particles);
-            shifting.advance(particles, neighbours, step);
+            shifting.find(particles, neighbours, step);
+            shifting.apply(particles);
         }
     }
     /// From where it stood to where it stands.

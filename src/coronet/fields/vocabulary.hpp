@@ -58,12 +58,16 @@ enum class Rank { scalar, vector, symmetric, matrix };
     X(SampleSum, f0, scalar, "-", "sum V f_j W")                                                             \
     X(SampleJump, f_jump, scalar, "-", "sum V (f_j - f_i) W")                                                \
     X(SampleSlope, f_slope, vector, "1/m", "sum V (f_j - f_i) grad W: the plain SPH gradient")               \
+    X(DensityJump, rho_jump, scalar, "kg/m^3", "sum V (rho_j - rho_i) W")                                    \
     X(DensitySlope, rho_slope, vector, "kg/m^4", "sum V (rho_j - rho_i) grad W: the plain SPH gradient")     \
     X(NearestNormal, n_near, vector, "-", "normal of the nearest surface particle in the support, else 0")   \
     X(Repulsion, repulsion, vector, "1/m^2", "sum n_ij/r^2 over neighbours that push a particle away")       \
     X(NeighbourCount, count, scalar, "-", "how many neighbours are in the support")                          \
     X(DistanceSum, distances, scalar, "m", "sum of their distances")                                         \
-    X(Crowding, crowding, vector, "1/m", "weighted sum V grad W: up the slope of concentration")
+    X(Crowding, crowding, vector, "1/m", "weighted sum V grad W: up the slope of concentration")             \
+    X(Shift, shift, vector, "m", "displacement that evens out the particles")                                \
+    X(VelocityAlongShift, shift_dv, vector, "m/s", "by which velocity differs where the shift leads")        \
+    X(DensityAlongShift, shift_drho, scalar, "kg/m^3", "by which density differs where the shift leads")
 
 template <Rank rank, class R, int D>
 struct RankType;

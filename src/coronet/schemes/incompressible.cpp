@@ -142,6 +142,7 @@ void Incompressible<D>::advance(double time, double step) {
     });
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
     if (needs_surface()) phases_.act("surface", [&] { look_at_surface(); });
+    if (shifting_.active()) phases_.act("shift", [&] { shifting_.find(particles_, neighbours_, step); });
     forces(time + 0.5 * step);
     if (has_tension()) phases_.act("surface", [&] { tension(); });
     push(step);
@@ -157,10 +158,8 @@ void Incompressible<D>::advance(double time, double step) {
         });
     });
     if (shift_) phases_.act("shift", [&] { shift_->apply(particles_, neighbours_, boundary_); });
+    if (shifting_.active()) phases_.act("shift", [&] { shifting_.apply(particles_); });
     ++counters_.evaluations;
-    if (!shifting_.active()) return;
-    phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
-    phases_.act("shift", [&] { shifting_.advance(particles_, neighbours_, step); });
 }
 
 template <int D>

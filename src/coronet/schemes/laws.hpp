@@ -39,8 +39,8 @@ using PressureAndVariableMorris = Sum<PressureGradient, VariableMorrisViscosity,
 // Corrected gradients and a viscosity between velocities; pair terms may be idle.
 using CorrectedPressureAndMorris = Sum<CorrectedPressureGradient, CorrectedMorrisViscosity, PairTerms>;
 
-// Of the shifting: a shifting vector, and the gradients of what goes with the flow.
-template <class Shift>
-using ShiftAndGradients = Sum<SlopeMoments, VelocitySlopes, DensitySlopes, Shift>;
+// The gradients that the scheme takes, with what shifting wants to know: its vector, and the gradient of density.
+template <class Vector>
+using GradientsAndShift = Sum<Moments, VelocitySlopes, VelocityJumps, DensitySlopes, Vector>;
 
 }  // namespace coronet

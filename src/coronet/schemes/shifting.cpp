@@ -9,56 +9,62 @@
 #include "coronet/surface/detect.hpp"
 #include "coronet/terms/concentration_shift.hpp"
 #include "coronet/terms/distance_shift.hpp"
-#include "coronet/terms/gradient_correction.hpp"
 
 namespace coronet {
 
 namespace {
 
-/// How the sweep ends at a particle: it is moved, and its velocity and density with it.
-template <class Term, class HeldOff>
+/// How the sweep ends at a particle: with the scheme's gradients, and how far the particle is to be moved.
+template <class Term, class GradientClose, class HeldOff>
 struct ShiftClose {
     Term term;
     double scale, most;  ///< K alpha and alpha/2 [m]
-    HeldOff held_off;    ///< held_off(at, d): d without what leads into a wall
+    GradientClose gradients;
+    HeldOff held_off;  ///< held_off(at, d): d without what leads into a wall
 
     template <class At, class Sums>
     void operator()(At const& at, Sums const& sums) const {
         using R = typename At::Number;
         constexpr int D = At::dimension;
+        auto const correction = correction_of(at, sums, gradients.kernel_at_zero);
+        gradients(at, sums, correction);
+
         Vector<R, D> d = R(scale) * term.vector(sums);
         if constexpr (Term::respects_surface) {
             auto const n = at.template get<NearestNormal>();
             R const out = dot(d, n);
             d = d - select(at.template get<Surface>() > R(0), out, largest(out, R(0))) * n;
         }
-        // Without the sums of the kernel itself, this is the inverse of the slope moments.
-        GradientCorrection<R, D> const correction(R(1), Vector<R, D>{}, Vector<R, D>{}, sums.G1);
         R const length = square_root(norm2(d));
         d = (select(length > R(most), R(most) / length, R(1)) * (R(1) - correction.fell_back)) * d;
         d = held_off(at, d);
-
-        auto const grad_v = correction.gradient(sums.v_slope, Vector<R, D>{});
-        at.template set<Position>(at.template get<Position>() + d);
-        at.template set<Velocity>(at.template get<Velocity>() + grad_v * d);
-        at.template set<Density>(at.template get<Density>() + dot(correction.gradient(sums.rho_slope, R(0)), d));
+        at.template set<Shift>(d);
+        at.template set<VelocityAlongShift>(correction.gradient(sums.v_slope, sums.v_jump) * d);
+        at.template set<DensityAlongShift>(dot(correction.gradient(sums.rho_slope, sums.rho_jump), d));
     }
 };
+template <class Term, class GradientClose, class HeldOff>
+ShiftClose(Term, double, double, GradientClose, HeldOff) -> ShiftClose<Term, GradientClose, HeldOff>;
 
-}  // namespace
-
+/// The largest speed, from the mean velocity [m/s].
 template <int D>
-void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
-                          Walls<D> const* walls) {
+double largest_speed(Particles<D> const& particles) {
     auto const view = particles.view();
     std::size_t const n = particles.owned();
     auto const mean = (1 / static_cast<double>(n)) *
                       sum_over(n, Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
-    double const speed =
-        std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(view.template get<Velocity>(i) - mean); }));
-    double const alpha = speed * step;
-    if (alpha == 0) return;
+    return std::sqrt(max_over(n, 0, [&](std::size_t i) { return norm2(view.template get<Velocity>(i) - mean); }));
+}
+
+}  // namespace
+
+template <int D>
+template <class GradientClose>
+void Shifting<D>::find(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
+                       Walls<D> const* walls, GradientClose const& gradients) {
+    particles.allocate(Fields<Shift, VelocityAlongShift, DensityAlongShift>{});
     if (!started_) note_volume(particles, neighbours);
+    double const alpha = largest_speed(particles) * step;
     auto const held_off = [&](PackOfParticles<D> const& at, Vector<Pack<double>, D> d) {
         if (!walls) return d;
         double lanes[D][pack_size<double>];
@@ -76,8 +82,8 @@ void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbou
     auto const shift_by = [&](auto const& term) {
         using Term = std::decay_t<decltype(term)>;
         sweep(particles, neighbours, kernel_, precision_,
-              Part{neighbours.all(), ShiftAndGradients<Term>{{}, {}, {}, term},
-                   ShiftClose{term, settings_.coefficient * alpha, 0.5 * alpha, held_off}});
+              Part{neighbours.all(), GradientsAndShift<Term>{{}, {}, {}, {}, term},
+                   ShiftClose{term, settings_.coefficient * alpha, 0.5 * alpha, gradients, held_off}});
     };
     if (settings_.vector == ShiftVector::sun) {
         look_at_surface(particles, neighbours);
@@ -86,6 +92,16 @@ void Shifting<D>::advance(Particles<D>& particles, Neighbours<D> const& neighbou
         shift_by(settings_.vector == ShiftVector::xu ? DistanceShift::xu(kernel_.support)
                                                      : DistanceShift::jahanbakhsh(settings_.spacing));
     }
+}
+
+template <int D>
+void Shifting<D>::apply(Particles<D>& particles) const {
+    auto const view = particles.view();
+    for_each(particles.owned(), [&](std::size_t i) {
+        view.template set<Position>(i, view.template get<Position>(i) + view.template get<Shift>(i));
+        view.template set<Velocity>(i, view.template get<Velocity>(i) + view.template get<VelocityAlongShift>(i));
+        view.template at<Density>()[i] += view.template at<DensityAlongShift>()[i];
+    });
     if (closed_volume_ > 0) hold_volume(particles);
 }
 
@@ -143,6 +159,16 @@ void Shifting<D>::look_at_surface(Particles<D>& particles, Neighbours<D> const& 
         view.template set<NearestNormal>(i, normal);
     });
 }
+
+#define CORONET_FIND(D, Close)                                                                                \
+    template void Shifting<D>::find(Particles<D>&, Neighbours<D> const&, double, Walls<D> const*, Close const&)
+CORONET_FIND(2, NoGradients);
+CORONET_FIND(2, CorrectedClose);
+CORONET_FIND(2, CorrectionClose);
+CORONET_FIND(3, NoGradients);
+CORONET_FIND(3, CorrectedClose);
+CORONET_FIND(3, CorrectionClose);
+#undef CORONET_FIND
 
 template class Shifting<2>;
 template class Shifting<3>;

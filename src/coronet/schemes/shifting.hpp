@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Particle shifting, a stage after any scheme's step: particles leave the paths of the flow by a little, so that they
-// stay evenly spread, and take the values that the flow has where they come to (Jahanbakhsh et al. 2012, section VI,
-// steps 4-6):
+// Particle shifting, in any scheme's step: particles leave the paths of the flow by a little, so that they stay evenly
+// spread, and take the values that the flow has where they come to (Jahanbakhsh et al. 2012, section VI, steps 4-6):
 //     x += d,   v += d . grad v,   rho += d . grad rho,   d_i = K alpha R_i,   alpha = (largest speed) dt.
 // R is one of three shifting vectors (terms/distance_shift.hpp, concentration_shift.hpp). The speed is taken
 // from the mean velocity, so that the frame of the observer does not matter; at rest nothing is shifted. Gradients are
-// corrected by the inverse of the slope moments: linear fields are met exactly, on any arrangement. d is at most
+// corrected (terms/gradient_correction.hpp): linear fields are met exactly, on any arrangement. d is at most
 // alpha/2; a particle whose neighbours do not span the space has no gradient, and stays.
+//
+// The shift is found where the scheme finds its gradients, with them in one sweep where these are corrected, and takes
+// place at the end of the step. In print it is found at the end: it is later here by a part of a step, in which the
+// arrangement changes by no more than the shift wants to.
 //
 // With a vector that respects the surface (sun), a particle of the free surface is moved along it only, and one that
 // has such a particle in its support is not moved towards it: along the normal of the nearest surface particle. So the
@@ -30,6 +33,7 @@
 
 #include "coronet/kernels/kernel.hpp"
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/schemes/stress_close.hpp"
 #include "coronet/schemes/walls.hpp"
 #include "coronet/surface/tension.hpp"
 
@@ -45,6 +49,14 @@ struct ShiftingSettings {
     bool walls_move = false;  ///< then no liquid is held to its volume
 };
 
+/// For a shift found by itself: the scheme has its gradients from elsewhere.
+struct NoGradients {
+    double kernel_at_zero;
+
+    template <class At, class Sums, class R, int D>
+    void operator()(At const&, Sums const&, GradientCorrection<R, D> const&) const {}
+};
+
 template <int D>
 class Shifting {
 public:
@@ -53,10 +65,18 @@ public:
 
     bool active() const { return settings_.vector != ShiftVector::none; }
 
-    /// After a step of that length [s], with neighbours up to date. Position, Velocity, Density and Volume must be set,
-    /// at wall particles and images, too. Walls may be none.
-    void advance(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
-                 Walls<D> const* walls = nullptr);
+    /// Finds the shift of a step of that length [s], and ends the corrected gradients of the scheme, of the same sweep,
+    /// as `gradients` does: CorrectedClose, CorrectionClose or NoGradients. Neighbours must be up to date, and
+    /// Position, Velocity, Density and Volume set, at wall particles and images, too. Walls may be none.
+    template <class GradientClose>
+    void find(Particles<D>& particles, Neighbours<D> const& neighbours, double step, Walls<D> const* walls,
+              GradientClose const& gradients);
+    void find(Particles<D>& particles, Neighbours<D> const& neighbours, double step, Walls<D> const* walls = nullptr) {
+        find(particles, neighbours, step, walls, NoGradients{kernel_.at_zero()});
+    }
+
+    /// Moves the particles, at the end of the step.
+    void apply(Particles<D>& particles) const;
 
 private:
     void look_at_surface(Particles<D>& particles, Neighbours<D> const& neighbours);

@@ -59,6 +59,14 @@ CORONET_HD void set_own_acceleration(At const& at, Matrix<R, D> const& T, Vector
         CorrectedStressDivergence::own_part(T, s, at.template get<Density>(), sums.G0, sums.W0));
 }
 
+/// From the moments over the neighbours, to which a particle itself adds V W(0).
+template <class At, class Sums>
+CORONET_HD auto correction_of(At const& at, Sums const& sums, double kernel_at_zero) {
+    using R = typename At::Number;
+    return GradientCorrection<R, At::dimension>(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
+                                                sums.G0, sums.G1);
+}
+
 /// fpm, and the exterior of cph: the corrected gradient. Without pressure the stress is the viscous one alone.
 struct CorrectedClose {
     GeneralisedNewtonian liquid;
@@ -68,10 +76,10 @@ struct CorrectedClose {
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
-        using R = typename At::Number;
-        constexpr int D = At::dimension;
-        GradientCorrection<R, D> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(), sums.W1,
-                                                  sums.G0, sums.G1);
+        (*this)(at, sums, correction_of(at, sums, kernel_at_zero));
+    }
+    template <class At, class Sums, class R, int D>
+    CORONET_HD void operator()(At const& at, Sums const& sums, GradientCorrection<R, D> const& correction) const {
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
         R const rate = -at.template get<Density>() * trace(grad_v);
         at.template set<DensityRate>(rate);
@@ -92,9 +100,10 @@ struct CorrectionClose {
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
-        using R = typename At::Number;
-        GradientCorrection<R, At::dimension> const correction(sums.W0 + R(kernel_at_zero) * at.template get<Volume>(),
-                                                              sums.W1, sums.G0, sums.G1);
+        (*this)(at, sums, correction_of(at, sums, kernel_at_zero));
+    }
+    template <class At, class Sums, class R, int D>
+    CORONET_HD void operator()(At const& at, Sums const& sums, GradientCorrection<R, D> const& correction) const {
         R const rate = -at.template get<Density>() * trace(correction.gradient(sums.v_slope, sums.v_jump));
         at.template set<DensityRate>(rate);
         pressure_after(dt, at, rate);

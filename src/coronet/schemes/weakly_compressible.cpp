@@ -70,20 +70,12 @@ template <int D>
 void WeaklyCompressible<D>::advance(double time, double step) {
     if (settings_.stepping == Stepping::symplectic_euler) symplectic_step(time, step);
     else predict_and_correct(time, step);
-    if (!shifting_.active()) return;
-    phases_.act("neighbours", [&] { update_neighbours(); });
-    phases_.act("shift", [&] {
-        if (particles_.size() > particles_.owned()) {
-            update_state();
-            update_surroundings();
-        }
-        shifting_.advance(particles_, neighbours_, step, &walls_);
-    });
+    if (shifting_.active()) phases_.act("shift", [&] { shifting_.apply(particles_); });
 }
 
 template <int D>
 void WeaklyCompressible<D>::symplectic_step(double time, double step) {
-    evaluate(time, step);
+    evaluate(time, step, step);
     auto const view = particles_.view();
     phases_.act("move", [&] {
         for_each(particles_.owned(), [&](std::size_t i) {
@@ -112,7 +104,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
             view.template set<Density>(i, rho + 0.5 * step * view.template get<DensityRate>(i));
         });
     });
-    evaluate(time + 0.5 * step);
+    evaluate(time + 0.5 * step, 0, step);
     damp(step);
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     phases_.act("correct", [&] {
@@ -161,7 +153,8 @@ std::vector<Reading> WeaklyCompressible<D>::readings() const {
 }
 
 template <int D>
-void WeaklyCompressible<D>::evaluate(double time, double dt) {
+void WeaklyCompressible<D>::evaluate(double time, double dt, double shift) {
+    bool const shifts = shifting_.active() && shift > 0;
     phases_.act("neighbours", [&] {
         walls_.move(particles_, settings_.box, time);
         update_neighbours();
@@ -173,9 +166,11 @@ void WeaklyCompressible<D>::evaluate(double time, double dt) {
     // What pressure the density will have must be known before the forces: then one sweep is not enough.
     bool const at_walls = particles_.count(Role::wall) > 0, ahead = dt > 0;
     if (!one_sweep() || ahead) {
-        phases_.act("gradients", [&] { gradients_and_stress(at_walls ? 0 : dt); });
+        phases_.act("gradients", [&] { gradients_and_stress(at_walls ? 0 : dt, shifts ? shift : 0); });
         count_singular();
     }
+    if (shifts && settings_.gradient != Gradient::fpm)
+        phases_.act("shift", [&] { shifting_.find(particles_, neighbours_, shift, &walls_); });
     if (ahead && particles_.size() > particles_.owned()) phases_.act("walls", [&] { look_ahead(dt); });
     if (one_sweep()) phases_.act("rates", [&] { rates_in_one_sweep(); });
     else phases_.act("forces", [&] { forces(); });
@@ -241,16 +236,19 @@ void WeaklyCompressible<D>::look_ahead(double dt) {
 }
 
 template <int D>
-void WeaklyCompressible<D>::gradients_and_stress(double dt) {
+void WeaklyCompressible<D>::gradients_and_stress(double dt, double shift) {
     CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt};
+    CorrectionClose const correction{corrected.kernel_at_zero, dt};
+    auto const gradients_ending = [&](auto const& close) {
+        if (shift > 0) shifting_.find(particles_, neighbours_, shift, &walls_, close);
+        else sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, close});
+    };
     PlainClose const plain{settings_.liquid, dt};
     switch (settings_.gradient) {
         case Gradient::sph: sweep_parts(Part{neighbours_.all(), PlainGradients{}, plain}); return;
         case Gradient::fpm:
-            if (corrected_morris())
-                sweep_parts(
-                    Part{neighbours_.all(), CorrectedGradients{}, CorrectionClose{corrected.kernel_at_zero, dt}});
-            else sweep_parts(Part{neighbours_.all(), CorrectedGradients{}, corrected});
+            if (corrected_morris()) gradients_ending(correction);
+            else gradients_ending(corrected);
             break;
         case Gradient::cph:
             sweep_parts(Part{zones_.exterior, CorrectedGradients{}, corrected},

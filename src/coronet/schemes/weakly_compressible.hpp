@@ -95,8 +95,8 @@ public:
     Phases& phases() override { return phases_; }
 
     /// The rates of change of velocity and density for the state as it is; with dt > 0 under the pressure that density
-    /// has after so long a step [s].
-    void evaluate(double time, double dt = 0);
+    /// has after so long a step [s]; with shift > 0, and shifting, the shift of so long a step, too.
+    void evaluate(double time, double dt = 0, double shift = 0);
 
 private:
     template <class... Parts>
@@ -112,7 +112,7 @@ private:
     void predict_and_correct(double time, double step);
     void symplectic_step(double time, double step);
     void damp(double step);
-    void gradients_and_stress(double dt);
+    void gradients_and_stress(double dt, double shift = 0);
     void forces();
     bool one_sweep() const;
     bool variable_morris() const;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The plain SPH gradient of density, sum_j V_j (rho_j - rho_i) grad W_ij (Fang et al. 2009, Eq 18): with the inverse of
-// the slope moments (terms/moments.hpp) it is exact where density is linear. Units: kg/m^4.
+// The sums from which the gradient of density is made: DensitySlope, sum_j V_j (rho_j - rho_i) grad W_ij, is the plain
+// SPH gradient (Fang et al. 2009, Eq 18); with DensityJump and the correction of terms/gradient_correction.hpp it is
+// exact where density is linear. Units: kg/m^4 and kg/m^3.
 
 #include "coronet/pairs/law.hpp"
 
@@ -11,11 +12,13 @@ namespace coronet {
 struct DensitySlopes {
     using reads = Fields<Volume, Density>;
     using own = Fields<>;
-    using gives = Fields<DensitySlope>;
+    using gives = Fields<DensitySlope, DensityJump>;
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, (ij.j.V * ij.F * (ij.j.rho - ij.i.rho)) * ij.x);
+        using R = typename P::Number;
+        R const difference = ij.j.rho - ij.i.rho;
+        return give<gives>(ij, (ij.j.V * ij.F * difference) * ij.x, (ij.j.V * ij.W) * difference);
     }
 };
 
