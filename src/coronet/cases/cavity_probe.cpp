@@ -11,10 +11,21 @@
 
 namespace coronet {
 
+namespace {
+
+bool is_same(double a, double b) { return std::fabs(a - b) <= 1e-6 * b; }
+
+}  // namespace
+
+std::string cavity_table(int dimension, double reynolds) {
+    if (dimension == 2) return "cavity2d_own_reference";
+    return is_same(reynolds, 1000) ? "cavity3d_albensoeder_kuhlmann2005" : "cavity3d_own_reference";
+}
+
 std::vector<Profile> cavity_reference(int dimension, double reynolds) {
     std::vector<Profile> profiles{{"u", {}, {}, {}}, {"v", {}, {}, {}}};
     for (BuiltinFile const& table : builtin_tables()) {
-        if (table.name != (dimension == 2 ? "cavity2d_own_reference" : "cavity3d_own_reference")) continue;
+        if (table.name != cavity_table(dimension, reynolds)) continue;
         std::istringstream lines{std::string(table.text)};
         for (std::string line; std::getline(lines, line);) {
             std::istringstream row(line);
@@ -22,7 +33,7 @@ std::vector<Profile> cavity_reference(int dimension, double reynolds) {
             std::getline(row, number, ',') && std::getline(row, kind, ',') && std::getline(row, coordinate, ',') &&
                 std::getline(row, value, ',');
             if (kind != "u_vertical" && kind != "v_horizontal") continue;
-            if (std::fabs(std::stod(number) - reynolds) > 1e-6 * reynolds) continue;
+            if (!is_same(reynolds, std::stod(number))) continue;
             Profile& profile = profiles[kind == "u_vertical" ? 0 : 1];
             profile.position.push_back(std::stod(coordinate));
             profile.reference.push_back(std::stod(value));
@@ -36,7 +47,8 @@ CavityProbe<D>::CavityProbe(ProbeKeys const& keys, Case const& c)
     : length_(Formula(keys.side, c.parameters)(Vector<double, D>{}, 0)),
       speed_(Formula(keys.upper_velocity, c.parameters)(Vector<double, D>{}, 0)),
       kernel_(probe_kernel<D>(c)),
-      profiles_(cavity_reference(D, c.fluid.density * speed_ * length_ / c.fluid.viscosity)) {
+      reynolds_(c.fluid.density * speed_ * length_ / c.fluid.viscosity),
+      profiles_(cavity_reference(D, reynolds_)) {
     for (Profile& profile : profiles_)
         if (profile.position.empty())  // no table: 33 equal steps of the midline
             for (int k = 1; k < 33; ++k) profile.position.push_back(k / 33.0);
@@ -76,8 +88,8 @@ std::vector<Measure> CavityProbe<D>::measures() const {
         if (!profile.reference.empty()) {
             measure.reference = 0;
             measure.error = measure.value;
-            measure.source = D == 2 ? "cases/reference/cavity2d_own_reference.csv, over the speed of the lid"
-                                    : "cases/reference/cavity3d_own_reference.csv, over the speed of the lid";
+            measure.source =
+                "cases/reference/" + cavity_table(D, reynolds_) + ".csv, over the speed of the lid";
         }
         list.push_back(measure);
     }

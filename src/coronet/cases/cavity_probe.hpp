@@ -3,13 +3,17 @@
 
 // The lid-driven cavity, a square or cube from 0 to L whose face y = L slides along x with the speed U: u/U on the
 // vertical midline and v/U on the horizontal one, over the coordinate over L, beside tabulated solutions of the
-// Navier-Stokes equations at Reynolds numbers U L/nu of 100, 400 and 1000 (cases/reference/cavity2d_own_reference.csv
-// and cavity3d_own_reference.csv).
+// Navier-Stokes equations at Reynolds numbers U L/nu of 100, 400 and 1000: in 3D at 1000 the spectral one of
+// Albensoeder and Kuhlmann (2005), else those of cases/reference/cavity2d_own_reference.csv and
+// cavity3d_own_reference.csv.
 
 #include "coronet/cases/probe.hpp"
 #include "coronet/kernels/kernel.hpp"
 
 namespace coronet {
+
+/// The name of the table in cases/reference.
+std::string cavity_table(int dimension, double reynolds);
 
 /// "u" and "v" without computed values; without any stations where the Reynolds number has no table.
 std::vector<Profile> cavity_reference(int dimension, double reynolds);
@@ -29,6 +33,7 @@ private:
 
     double length_, speed_;
     Kernel kernel_;
+    double reynolds_;
     std::vector<Profile> profiles_;
 };
 
