@@ -22,6 +22,7 @@
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
 #include "coronet/core/parallel.hpp"
+#include "coronet/io/frame.hpp"
 #include "coronet/run/memory.hpp"
 #include "coronet/run/run.hpp"
 #include "coronet/version.hpp"
@@ -60,12 +61,24 @@ void show_fit(Case const& c) {
     }
 }
 
+/// What a case starts from.
+template <int D>
+void show_initial_frame(Case const& c) {
+    Frame const& frame = *c.initial.frame;
+    fmt::print(
+        "velocity and pressure at the start are those of {}, not the case's formulas: its {} particles at {:.6g} s\n",
+        c.initial.from, frame.ids.size(), frame.time);
+    if (auto const beyond = initial_state(c, fill<D>(c), WallSeeds<D>{}).beyond; beyond > 0)
+        fmt::print("  {} particles are too far from its liquid to see it and take the values of its nearest\n", beyond);
+}
+
 void check(std::string const& name, std::vector<std::string> const& settings) {
     Case const c = load_case(name, settings);
     auto const particles = c.dimension == 2 ? fill<2>(c).size() : fill<3>(c).size();
     fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles,
                c.time.end);
     if (c.flow_curve_fit) show_fit(c);
+    if (c.initial.frame) c.dimension == 2 ? show_initial_frame<2>(c) : show_initial_frame<3>(c);
 }
 
 int run(std::string const& name, std::vector<std::string> const& settings, RunOptions options, int thread_count) {

@@ -3,7 +3,7 @@
 
 // A case: plain data that say what to simulate. SI units, angles in degrees. Every member is a key of the case file,
 // described once in describe(), which reading, writing, checking and the reference page all share; but for what comes
-// of the files that it names, a flow curve or a wall's surface.
+// of the files that it names, a flow curve, a wall's surface or a frame.
 
 #include <map>
 #include <memory>
@@ -33,6 +33,7 @@ struct Shape {
 };
 
 class ClosedSurface;
+struct Frame;
 
 /// A wall: one side of a surface is solid.
 struct Wall {
@@ -84,7 +85,8 @@ struct Case {
 
     struct {
         std::vector<std::string> velocity;
-        std::string pressure = "0";
+        std::string pressure = "0", from;
+        std::shared_ptr<Frame const> frame;  ///< the liquid of what `from` names
     } initial;
 
     struct {

@@ -12,6 +12,7 @@
 #include "coronet/cases/fill.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/initial_frame.hpp"
 #include "coronet/cases/lattice.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/rheology_check.hpp"
@@ -217,19 +218,23 @@ void check_initial_state(Case const& c, Errors& errors) {
         return;
     }
     auto const state = initial_state(c, seeds, WallSeeds<D>{});
+    if (c.initial.frame) check_initial_frame<D>(c, state.beyond, seeds.size(), errors);
+    std::string const from = fmt::format("initial.from = '{}'", c.initial.from);
     double const fastest = std::sqrt(state.fastest2);
     if (!std::isfinite(fastest))
         say(errors, "initial.velocity = [{}] is not finite at every particle", fmt::join(c.initial.velocity, ", "));
     else if (c.method.scheme == "weakly-compressible" && fastest >= c.fluid.sound_speed)
         say(errors,
-            "fluid.sound_speed = {} m/s, but initial.velocity is up to {:.4g} m/s from its mean: the flow must "
+            "fluid.sound_speed = {} m/s, but {} is up to {:.4g} m/s from its mean: the flow must "
             "stay below the sound speed, at best a tenth of it; use {:.4g} m/s",
-            c.fluid.sound_speed, fastest, 10 * fastest);
+            c.fluid.sound_speed, c.initial.frame ? "the velocity of " + from : "initial.velocity", fastest,
+            10 * fastest);
     if (!state.density_is_possible)
         say(errors,
-            "initial.pressure = {} leaves no positive finite density at every particle with fluid.sound_speed = "
+            "{} leaves no positive finite density at every particle with fluid.sound_speed = "
             "{} m/s: use a larger sound speed",
-            c.initial.pressure, c.fluid.sound_speed);
+            c.initial.frame ? "the pressure of " + from : "initial.pressure = " + c.initial.pressure,
+            c.fluid.sound_speed);
     for (std::string const& text : c.fluid.body_force) {
         Formula force(text, c.parameters);
         auto const finite = [&](auto const& x) { return std::isfinite(force(x, 0)); };

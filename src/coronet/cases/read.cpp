@@ -16,6 +16,7 @@
 #include "coronet/cases/check.hpp"
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/initial_frame.hpp"
 #include "coronet/cases/nearest.hpp"
 #include "coronet/cases/wall_check.hpp"
 #include "coronet/core/error.hpp"
@@ -369,6 +370,7 @@ Case read_case(std::string_view text, std::string const& file, std::vector<std::
     reader.finish();
     if (!c.fluid.flow_curve.empty()) fit_rheology(c, file);
     read_surfaces(c, file);
+    if (!c.initial.from.empty()) read_initial_frame(c, file);
     check_physics(c, file);
     return c;
 }

@@ -244,6 +244,10 @@ void describe(Keys& keys, Case& c) {
                   .unit = "Pa",
                   .meaning = "pressure at t = 0, from which density follows; of the weakly compressible scheme"},
                  c.initial.pressure);
+    keys.text({.path = "initial.from",
+               .meaning = "a frame of another run, whose velocity and pressure stand in place of these formulas; its "
+                          "path from the folder of the case"},
+              c.initial.from);
 
     auto& m = c.method;
     keys.choice({.path = "method.scheme", .meaning = "how the equations are solved"}, m.scheme,

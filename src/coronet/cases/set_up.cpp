@@ -6,6 +6,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/formula.hpp"
+#include "coronet/cases/frame_flow.hpp"
 #include "coronet/cases/lattice.hpp"
 #include "coronet/cases/wall_fill.hpp"
 #include "coronet/cases/wall_motion.hpp"
@@ -36,6 +37,24 @@ std::function<void(double, View<D> const&, std::size_t, std::size_t)> body_force
     };
 }
 
+/// Velocity and pressure at t = 0, seed after seed: of the case's frame, or of its formulas.
+template <int D>
+std::vector<typename FrameFlow<D>::Value> initial_flow(Case const& c, Seeds<D> const& seeds) {
+    std::vector<typename FrameFlow<D>::Value> flow(seeds.size());
+    if (c.initial.frame) {
+        FrameFlow<D> const frame(*c.initial.frame, periodic_box<D>(c));
+        for_each(seeds.size(), [&](std::size_t i) { flow[i] = frame.at(seeds.position[i]); });
+        return flow;
+    }
+    auto velocity = formulas(c.initial.velocity, c);
+    Formula pressure(c.initial.pressure, c.parameters);
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        for (int k = 0; k < D; ++k) flow[i].velocity[k] = velocity[k](seeds.position[i], 0);
+        flow[i].pressure = pressure(seeds.position[i], 0);
+    }
+    return flow;
+}
+
 }  // namespace
 
 EquationOfState equation_of_state(Case const& c) {
@@ -50,18 +69,15 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D>
     auto const view = state.particles.view();
     auto const eos = equation_of_state(c);
     bool const incompressible = c.method.scheme == "projection";
-    auto velocity = formulas(c.initial.velocity, c);
-    Formula pressure(c.initial.pressure, c.parameters);
+    auto const flow = initial_flow(c, seeds);
     for (std::size_t i = 0; i < seeds.size(); ++i) {
-        auto const& x = seeds.position[i];
-        Vector<double, D> v;
-        for (int k = 0; k < D; ++k) v[k] = velocity[k](x, 0);
-        double const rho = incompressible ? c.fluid.density : eos.density(pressure(x, 0));
-        view.template set<Position>(i, x);
-        view.template set<Velocity>(i, v);
+        double const rho = incompressible ? c.fluid.density : eos.density(flow[i].pressure);
+        view.template set<Position>(i, seeds.position[i]);
+        view.template set<Velocity>(i, flow[i].velocity);
         view.template set<Density>(i, rho);
         view.template set<Mass>(i, rho * seeds.volume);
         view.template set<Surface>(i, seeds.surface[i]);
+        state.beyond += flow[i].beyond;
         state.density_is_possible = state.density_is_possible && std::isfinite(rho) && rho > 0;
     }
     if (walls.size() > 0) state.particles.allocate(Fields<WallVelocity, ToMirror, Slip, WallNumber, WallForce>{});

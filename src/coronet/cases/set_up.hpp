@@ -19,10 +19,11 @@ struct InitialState {
     Particles<D> particles;
     double fastest2 = 0;              ///< largest squared speed relative to the mean [m^2/s^2]; infinite if not finite
     bool density_is_possible = true;  ///< finite and positive everywhere
+    std::size_t beyond = 0;           ///< particles too far from the liquid of the case's frame to see it
 };
 
 /// Particles with position, velocity, density from the initial pressure, mass (density times lattice volume), surface;
-/// and walls.
+/// and walls. Velocity and pressure are those of the case's formulas or, where it has one, of its frame.
 template <int D>
 InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D> const& walls);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/io/frame.hpp"
 
-#include "coronet/core/error.hpp"
+#include "coronet/io/hdf5.hpp"
 #include "coronet/io/whole_file.hpp"
 
-#include <hdf5.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -16,45 +16,6 @@ namespace coronet {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <typename Result>
-Result checked(Result result) {
-    if (result < 0) throw RunError("HDF5 could not compose the frame: is there memory left?");
-    return result;
-}
-
-/// Owns one HDF5 identifier.
-class Handle {
-public:
-    using Closer = herr_t (*)(hid_t);
-
-    Handle(hid_t id, Closer closer) : id_(checked(id)), closer_(closer) {}
-    Handle(Handle const&) = delete;
-    Handle& operator=(Handle const&) = delete;
-    ~Handle() { closer_(id_); }
-
-    operator hid_t() const { return id_; }
-
-private:
-    hid_t id_;
-    Closer closer_;
-};
-
-/// HDF5 prints its stack of errors by itself; ours are sentences, so it is kept silent meanwhile.
-class SilentHdf5 {
-public:
-    SilentHdf5() {
-        H5Eget_auto2(H5E_DEFAULT, &printer_, &data_);
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    }
-    SilentHdf5(SilentHdf5 const&) = delete;
-    SilentHdf5& operator=(SilentHdf5 const&) = delete;
-    ~SilentHdf5() { H5Eset_auto2(H5E_DEFAULT, printer_, data_); }
-
-private:
-    H5E_auto2_t printer_ = nullptr;
-    void* data_ = nullptr;
-};
 
 hid_t stored_as(double) { return H5T_NATIVE_DOUBLE; }
 hid_t stored_as(std::int64_t) { return H5T_NATIVE_INT64; }
@@ -154,6 +115,14 @@ std::string vtkhdf_image(Frame const& frame) {
     return image;
 }
 
+}  // namespace
+
+FrameField const* field_of(Frame const& frame, std::string_view name) {
+    auto const found = std::find_if(frame.fields.begin(), frame.fields.end(),
+                                    [&](FrameField const& field) { return field.name == name; });
+    return found == frame.fields.end() ? nullptr : &*found;
+}
+
 void check(Frame const& frame) {
     auto const count = frame.ids.size();
     auto const expect = [&](std::string const& name, std::size_t found, std::size_t wanted) {
@@ -166,8 +135,6 @@ void check(Frame const& frame) {
     for (auto const& field : frame.fields)
         expect(field.name, field.values.size(), static_cast<std::size_t>(field.components) * count);
 }
-
-}  // namespace
 
 void write_frame(fs::path const& file, Frame const& frame) {
     check(frame);

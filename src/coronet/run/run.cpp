@@ -10,6 +10,7 @@
 #include "coronet/cases/read.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/core/error.hpp"
+#include "coronet/io/frame.hpp"
 #include "coronet/io/whole_file.hpp"
 #include "coronet/run/interrupt.hpp"
 #include "coronet/run/output_clock.hpp"
@@ -29,11 +30,19 @@ void prepare(fs::path const& directory, bool overwrite) {
         throw CaseError(fmt::format("{} already holds a run: choose another --out, or give --overwrite to replace it",
                                     directory.string()));
     std::error_code failed;
-    for (char const* const name : {"case.toml", "flow_curve.csv", "series.csv", "profiles.csv", "summary.json",
-                                   "frames", "frames.vtkhdf.series", "figures"})
+    for (char const* const name : {"case.toml", "flow_curve.csv", "initial.vtkhdf", "series.csv", "profiles.csv",
+                                   "summary.json", "frames", "frames.vtkhdf.series", "figures"})
         if (holds_run) fs::remove_all(directory / name, failed);
     fs::create_directories(directory / "frames", failed);
     if (failed) throw CaseError(fmt::format("{} cannot be made: {}", directory.string(), failed.message()));
+}
+
+/// Keeps the liquid that the run starts from beside the case, which names it from then on: what it was read from may be
+/// a frame of a run that this one replaces.
+void keep_initial_frame(Case& as_run, fs::path const& directory) {
+    if (!as_run.initial.frame) return;
+    as_run.initial.from = "initial.vtkhdf";
+    write_frame(directory / as_run.initial.from, *as_run.initial.frame);
 }
 
 /// Copies the files that walls were read from beside the case, which names the copies from then on.
@@ -130,6 +139,7 @@ RunStatus run_case(Case const& c, RunOptions const& options) {
         write_whole(options.directory / as_run.fluid.flow_curve, write_flow_curve(*c.flow_curve_fit));
     }
     keep_surfaces(as_run, options.directory);
+    keep_initial_frame(as_run, options.directory);
     write_whole(options.directory / "case.toml", write_case(as_run));
     return c.dimension == 2 ? run<2>(c, options) : run<3>(c, options);
 }
