@@ -22,7 +22,7 @@ FIGURES = [
     ("patch_history.png", curves.corner_radius, lambda run: run.has("corner_radius")),
     ("mode.png", droplet.mode, lambda run: run.has("mode_amplitude")),
     ("droplet_history.png", droplet.droplet_history, lambda run: run.has("circularity", "area", "spacing_p01")),
-    ("dam_break.png", dam_break.dam_break, lambda run: run.has("front", "sensor_pressure")),
+    ("dam_break.png", dam_break.dam_break, lambda run: run.has("front")),
     ("particles.png", pictures.particles, lambda run: run.frames),
     ("patch.png", pictures.patch, lambda run: run.has("corner_radius") and run.frames),
     ("droplet.png", droplet.droplet, lambda run: run.has("circularity", "area") and run.frames),

@@ -14,7 +14,7 @@ PYTHON = Path(__file__).resolve().parents[2] / "python"
 sys.path.insert(0, str(PYTHON))
 sys.dont_write_bytecode = True
 
-from coronet_plot import drop, droplet, history, pictures, rheology, style
+from coronet_plot import dam_break, drop, droplet, history, pictures, rheology, style
 from coronet_plot.frame import Frame
 from coronet_plot.run import Run
 
@@ -163,14 +163,26 @@ class Plot(unittest.TestCase):
         (run / "summary.json").write_text(json.dumps({"status": "done", "measures": measures}))
         self.assertIsNone(droplet.fit(Run(run)))
 
-    def test_a_breaking_dam_gets_its_front_or_its_pressure_beside_what_was_measured(self):
-        series = {"time": TIME, "front": 0.3 + TIME, "sensor_pressure": 1e3 * TIME}
-        tables = {"tall": (0.6, "dambreak_martin_moyce1952_a225"), "wide": (0.15, "dambreak_lobovsky2014_P1")}
-        for name, (height, table) in tables.items():
+    def test_a_breaking_dam_gets_its_front_and_its_pressure_beside_what_was_measured(self):
+        series = {"time": TIME, "front": 0.3 + TIME, "low": 1e3 * TIME, "elsewhere": 1e3 * TIME}
+        sensors = "".join(f'[[probes]]\nkind = "impact"\nname = "{name}"\ndepth = "height"\nwidth = "0.3"\n'
+                          f'at = [1.0, {place}]\nsensor_width = 0.0021\n'
+                          for name, place in {"low": 0.0015, "elsewhere": 0.01}.items())
+        tables = {"tall": (0.6, ["dambreak_martin_moyce1952_a225"]),
+                  "wide": (0.15, ["dambreak_lobovsky2014_front_H300", "dambreak_lobovsky2014_P1"])}
+        for name, (height, names) in tables.items():
             run = self.folder / name
             write_run(run, name, series, more=f'[parameters]\nheight = {height}\n[fluid]\ndensity = 1000.0\n'
-                      'gravity = [0.0, -9.81]\n[[probes]]\nkind = "dam-break"\ndepth = "height"\nwidth = "0.3"\n')
-            (run / "profiles.csv").write_text(f"profile,position,computed,reference\n{table},1,2,3\n{table},2,3,4\n")
+                      'gravity = [0.0, -9.81]\n[[probes]]\nkind = "dam-break"\ndepth = "height"\nwidth = "0.3"\n' + sensors)
+            rows = "".join(f"{table},1,2,3\n{table},2,3,4\n" for table in names)
+            (run / "profiles.csv").write_text("profile,position,computed,reference\n" + rows)
+            (run / "summary.json").write_text(json.dumps(
+                {"status": "done", "measures": {"front_late_martin_moyce_225": {"value": 0.25}}}))
+            panels = dam_break.dam_break([Run(run)]).axes
+            self.assertEqual(len(panels), len(names))
+            if name == "tall":  # as measured, and if that was late
+                as_measured = [list(line.get_xdata()) for line in panels[0].lines if line.get_marker() == "v"]
+                self.assertEqual(as_measured, [[0.75, 1.75], [1, 2]])
             self.assert_draws(plot(run), run, "dam_break.png")
 
     def test_a_flow_curve_is_drawn_with_the_law_fitted_to_it(self):

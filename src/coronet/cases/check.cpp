@@ -181,14 +181,16 @@ void check_probes(Case const& c, Errors& errors) {
     }
     for (std::size_t k = 0; k < c.probes.size(); ++k) {
         check_wall_probe(c, k, errors);
-        if (c.walls.empty() || (c.probes[k].kind != "sensor" && c.probes[k].kind != "dam-break")) continue;
+        if (c.walls.empty() || (c.probes[k].kind != "sensor" && c.probes[k].kind != "impact")) continue;
         Vector<double, D> at;
         for (int a = 0; a < D; ++a) at[a] = c.probes[k].at[static_cast<std::size_t>(a)];
-        if (double const away = std::fabs(Solid<D>(c).deepest(at).depth); away > c.particles.spacing)
+        auto const nearest = Solid<D>(c).deepest(at);
+        if (double const away = std::fabs(nearest.depth); away > c.particles.spacing)
             say(errors, "probes.{}.at = [{}] is {:.4g} m from the surface of the nearest wall: a sensor is on it", k,
                 fmt::join(c.probes[k].at, ", "), away);
-        if (std::any_of(c.walls.begin(), c.walls.end(), moves))
-            say(errors, "probes.{}: a sensor does not go along with walls, and one of them moves: leave it away", k);
+        if (moves(c.walls[nearest.wall]))
+            say(errors, "probes.{}: a sensor does not go along with its wall, and walls.{} moves: leave it away", k,
+                nearest.wall);
     }
     auto const has_profile = [](ProbeKeys const& probe) { return probe.kind == "channel" || probe.kind == "cavity"; };
     if (c.time.settled > 0 && std::none_of(c.probes.begin(), c.probes.end(), has_profile))

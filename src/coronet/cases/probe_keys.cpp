@@ -9,22 +9,22 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
     if (dimension == 2) kinds.insert(kinds.end(), {"patch", "taylor-green"});
     kinds.insert(kinds.end(), {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
-    if (dimension == 2) kinds.push_back("dam-break");
+    if (dimension == 2) kinds.insert(kinds.end(), {"dam-break", "impact"});
     if (dimension == 3 || keys.everything()) kinds.push_back("drag");
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
-    if (wants("value") || wants("sensor"))
+    if (wants("value") || wants("sensor") || wants("impact"))
         keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
     if (wants("value"))
         keys.choice({.path = path + ".field", .meaning = "the field whose value is taken"}, probe.field,
                     {"pressure", "density", "speed"});
-    if (wants("value") || wants("sensor") || wants("dam-break")) {
+    if (wants("value") || wants("sensor") || wants("impact")) {
         if (probe.at.empty()) probe.at.assign(static_cast<std::size_t>(dimension), 0.0);
         keys.numbers({.path = path + ".at",
                       .unit = "m",
                       .meaning = "where, of a sensor on the surface of a wall; 0 is read where there is no liquid"},
                      probe.at, dimension);
     }
-    if (wants("sensor") || wants("dam-break"))
+    if (wants("sensor") || wants("impact"))
         keys.number({.path = path + ".sensor_width",
                      .unit = "m",
                      .meaning = "of the face of a pressure sensor, along the wall: a line, in 3D a square",
@@ -74,12 +74,12 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
         keys.formula({.path = path + ".lower_velocity", .unit = "m/s", .meaning = "of the lower plate, along x"},
                      probe.lower_velocity);
     }
-    if (wants("hydrostatic") || wants("dam-break"))
+    if (wants("hydrostatic") || wants("dam-break") || wants("impact"))
         keys.formula({.path = path + ".depth",
                       .unit = "m",
                       .meaning = "of the liquid at rest, along gravity; the height of the column of a dam break"},
                      probe.depth);
-    if (wants("dam-break"))
+    if (wants("dam-break") || wants("impact"))
         keys.formula({.path = path + ".width", .unit = "m", .meaning = "of the column of a dam break"}, probe.width);
     if (wants("mode"))
         keys.integer({.path = path + ".mode",

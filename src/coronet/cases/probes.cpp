@@ -10,6 +10,7 @@
 #include "coronet/cases/drop_probe.hpp"
 #include "coronet/cases/formula.hpp"
 #include "coronet/cases/hydrostatic_probe.hpp"
+#include "coronet/cases/impact_probe.hpp"
 #include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/patch_probe.hpp"
 #include "coronet/cases/point_value.hpp"
@@ -177,6 +178,7 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "static-drop") probes.push_back(std::make_unique<StaticDropProbe<D>>(c));
         if constexpr (D == 2) {
             if (keys.kind == "dam-break") probes.push_back(std::make_unique<DamBreakProbe>(keys, c));
+            if (keys.kind == "impact") probes.push_back(std::make_unique<ImpactProbe>(keys, c));
             if (keys.kind == "patch") probes.push_back(std::make_unique<PatchProbe>(keys, c));
             if (keys.kind == "taylor-green") probes.push_back(std::make_unique<TaylorGreenProbe>(keys, c));
         }

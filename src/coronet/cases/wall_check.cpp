@@ -134,7 +134,7 @@ void check_walls(Case const& c, Errors& errors) {
 void check_wall_probe(Case const& c, std::size_t k, Errors& errors) {
     ProbeKeys const& probe = c.probes[k];
     auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, 3>{}, 0); };
-    bool const drag = probe.kind == "drag", dam = probe.kind == "dam-break", sensor = probe.kind == "sensor";
+    bool const drag = probe.kind == "drag", impact = probe.kind == "impact", dam = impact || probe.kind == "dam-break";
     if ((probe.kind == "wall-force" || drag) && (probe.wall.empty() || wall_named(probe.wall, c) == c.walls.size())) {
         std::vector<std::string> names;
         for (Wall const& wall : c.walls)
@@ -143,7 +143,8 @@ void check_wall_probe(Case const& c, std::size_t k, Errors& errors) {
             names.empty() ? "no wall has one: give it one with walls.0.name"
                           : fmt::format("there is {}", fmt::join(names, ", ")));
     }
-    if ((dam || sensor) && c.walls.empty()) say(errors, "probes.{}: a pressure sensor is in a wall: there is none", k);
+    if ((impact || probe.kind == "sensor") && c.walls.empty())
+        say(errors, "probes.{}: a pressure sensor is in a wall: there is none", k);
     if (dam && !(c.fluid.gravity[1] < 0 && c.fluid.gravity[0] == 0))
         say(errors, "probes.{}: a dam breaks under fluid.gravity along -y", k);
     if (dam)
