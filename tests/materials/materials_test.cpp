@@ -75,6 +75,18 @@ TEST(EquationOfState, HasTheSoundSpeedItIsNamedAfterAtTheReferenceDensity) {
     }
 }
 
+TEST(EquationOfState, StoresTheWorkOfItsPressure) {
+    for (auto const& liquid : liquids()) {
+        EXPECT_EQ(liquid.energy(liquid.rho0), 0);
+        for (double const from : {0.9, 1.0, 1.05}) {  // p dV by Simpson's rule, over 0.2 % of the density
+            double const a = from * liquid.rho0, b = a + 0.002 * liquid.rho0;
+            auto const push = [&](double rho) { return liquid.pressure(rho) / (rho * rho); };
+            double const work = (b - a) / 6 * (push(a) + 4 * push((a + b) / 2) + push(b)), c2 = liquid.c * liquid.c;
+            EXPECT_NEAR(liquid.energy(b) - liquid.energy(a), work, 1e-8 * std::fabs(work) + 8 * eps * c2) << from;
+        }
+    }
+}
+
 TEST(EquationOfState, OfTaitLosesAllDensityAtItsGreatestTension) {
     EquationOfState const liquid{.kind = Kind::tait, .rho0 = 3, .c = 2, .gamma = 4};  // rho0 c^2/gamma is 3
     EXPECT_EQ(liquid.density(-3), 0);

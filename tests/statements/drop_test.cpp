@@ -54,6 +54,7 @@ template <int D = 2>
 Watched<D> watch(Case const& c, int steps, double step) {
     auto const scheme = make_scheme<D>(c);
     auto const energy = [&] {
+        scheme->arrangement();
         double surface = 0;
         for (auto const& reading : scheme->readings())
             if (reading.name == "surface_energy") surface = reading.value;

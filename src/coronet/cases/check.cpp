@@ -198,9 +198,10 @@ void check_probes(Case const& c, Errors& errors) {
     if (!errors.empty()) return;
     auto const standard = standard_columns(D);
     std::set<std::string> columns(standard.begin(), standard.end());
-    for (char const* const reading : {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations",
-                                      "wall_force_x", "wall_force_y", "wall_force_z", "surface_energy",
-                                      "surface_content", "surface_energy_jumps"})
+    for (char const* const reading :
+         {"singular_matrices", "solver_iterations", "divergence_max", "viscous_iterations", "wall_force_x",
+          "wall_force_y", "wall_force_z", "surface_energy", "surface_content", "surface_energy_jumps", "tension_work",
+          "dissipated_energy", "compressive_energy"})
         columns.insert(reading);  // of the schemes
     for (auto const& probe : make_probes<D>(c))
         for (std::string const& column : probe->columns())

@@ -21,7 +21,10 @@ std::string const content_name = D == 2 ? "area" : "volume";
 
 template <int D>
 std::vector<std::string> DropProbe<D>::columns() const {
-    return {"circularity", "radius_mean", D == 2 ? "area" : "drop_volume", "surface_particles", "voids", "spacing_p01"};
+    std::vector<std::string> names{"circularity",       "radius_mean", D == 2 ? "area" : "drop_volume",
+                                   "surface_particles", "voids",       "spacing_p01"};
+    ledger_.add_columns(names);
+    return names;
 }
 
 template <int D>
@@ -40,12 +43,14 @@ std::vector<double> DropProbe<D>::sample(Snapshot<D> const& now) {
     circularity_ = drop.farthest / drop.nearest;
     content_error_ = content_of(drop) / start_->content - 1;
     content_error_max_ = std::max(content_error_max_, std::fabs(content_error_));
-    return {circularity_,
-            drop.mean_radius,
-            content_of(drop),
-            static_cast<double>(drop.surface_particles),
-            static_cast<double>(drop.voids),
-            drop.spacing_p01};
+    std::vector<double> row{circularity_,
+                            drop.mean_radius,
+                            content_of(drop),
+                            static_cast<double>(drop.surface_particles),
+                            static_cast<double>(drop.voids),
+                            drop.spacing_p01};
+    ledger_.sample(now, row);
+    return row;
 }
 
 template <int D>
@@ -69,6 +74,7 @@ std::vector<Measure> DropProbe<D>::measures() const {
     double const speed = std::sqrt(case_.fluid.surface_tension / (case_.fluid.density * start_->radius));
     if (speed > 0)
         add_drift("momentum_drift", momentum_drift_ / (start_->mass * speed), "mass times sqrt(sigma/(rho R))");
+    ledger_.add_measures(measures);
     return measures;
 }
 

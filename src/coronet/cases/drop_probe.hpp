@@ -4,16 +4,16 @@
 // A drop: how round it is, whether it keeps its area (volume), and whether it stays where its momentum takes it. Shape
 // and area are geometric, in 2D of the outline of the largest piece moved out by half a spacing (drop_outline.hpp), in
 // 3D of its boundary (drop_surface.hpp); the area there should be, and the radius R by which lengths are measured,
-// follow from mass and density.
+// follow from mass and density. And where its energy is (energy_ledger.hpp).
 
-#include "coronet/cases/probe.hpp"
+#include "coronet/cases/energy_ledger.hpp"
 
 namespace coronet {
 
 template <int D>
 class DropProbe final : public Probe<D> {
 public:
-    explicit DropProbe(Case const& c) : case_(c) {}
+    explicit DropProbe(Case const& c) : case_(c), ledger_(c) {}
     std::vector<std::string> columns() const override;
     std::vector<double> sample(Snapshot<D> const& now) override;
     std::vector<Measure> measures() const override;
@@ -25,6 +25,7 @@ private:
     };
 
     Case const& case_;
+    EnergyLedger<D> ledger_;
     std::optional<Start> start_;
     double circularity_ = 0, centre_drift_ = 0, momentum_drift_ = 0, content_error_ = 0, content_error_max_ = 0;
 };

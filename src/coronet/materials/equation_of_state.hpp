@@ -26,6 +26,14 @@ struct EquationOfState {
         return kind == Kind::linear ? c : c * std::pow(rho / rho0, 0.5 * (gamma - 1));
     }
 
+    /// The work of compression from rho0 [J/kg], the integral of p/rho^2 over rho.
+    CORONET_HD double energy(double rho) const {
+        double const less = rho0 / rho - 1;  // of the volume
+        if (kind == Kind::linear) return c * c * (std::log1p((rho - rho0) / rho0) + less);
+        double const work = gamma == 1 ? std::log(rho / rho0) : (std::pow(rho / rho0, gamma - 1) - 1) / (gamma - 1);
+        return c * c / gamma * (work + less);
+    }
+
     /// The density at which the pressure is p. In the Tait form p must exceed -rho0 c^2/gamma, where density vanishes.
     CORONET_HD double density(double p) const {
         if (kind == Kind::linear) return rho0 + p / (c * c);

@@ -86,12 +86,13 @@ void Recorder<D>::sample(double time, std::int64_t step, double dt) {
         if (D == 3) row.insert(row.end(), {sum.angular_momentum[0], sum.angular_momentum[1]});
         vector(sum.centre());
         row.insert(row.end(), {sum.kinetic_energy, arrangement_.smallest_distance / case_.particles.spacing});
-        Snapshot<D> const now(time, particles, case_);
+        auto const readings = scheme_.readings();
+        Snapshot<D> const now(time, particles, case_, readings);
         for (auto& probe : probes_) {
             auto const values = probe->sample(now);
             row.insert(row.end(), values.begin(), values.end());
         }
-        for (Reading const& reading : scheme_.readings()) row.push_back(reading.value);
+        for (Reading const& reading : readings) row.push_back(reading.value);
         series_->row(row);
         if (case_.time.settled > 0) {
             std::vector<Profile> all;

@@ -95,8 +95,6 @@ template <int D>
 void Incompressible<D>::begin_step(double /*time*/) {
     phases_.act("neighbours", [&] { counters_.listings += neighbours_.update(particles_); });
     phases_.act("check", [&] { check_state(particles_); });
-    if (settings_.surface.acts_on_boundary() && boundary_.pieces == 0)  // else each step finds it half-way
-        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
 }
 
 template <int D>
@@ -148,6 +146,7 @@ void Incompressible<D>::advance(double time, double step) {
     push(step);
     if (shift_) phases_.act("shift", [&] { shift_->find(particles_, neighbours_); });
     project(step);
+    if (settings_.surface.acts_on_boundary()) add_works(step);
     phases_.act("stress", [&] { set_stress(); });
     phases_.act("correct", [&] {
         for_each(n, [&](std::size_t i) {
@@ -210,6 +209,11 @@ void Incompressible<D>::forces(double time) {
         else
             for_each(particles_.owned(), [&](std::size_t i) { view.template set<Acceleration>(i, settings_.gravity); });
     });
+    if (settings_.surface.acts_on_boundary()) {
+        resistance_.resize(particles_.size());
+        for_each(resistance_.size(),
+                 [&](std::size_t i) { resistance_[i] = view.template get<Acceleration>(i) - settings_.gravity; });
+    }
     if (settings_.body_force)
         phases_.act("body force", [&] { settings_.body_force(time, view, 0, particles_.owned()); });
 }
@@ -228,6 +232,10 @@ void Incompressible<D>::push(double step) {
         return;
     }
     phases_.act("viscous step", [&] { viscous_solved_ = viscous_step_->advance(particles_, neighbours_, step); });
+    for_each(resistance_.size(), [&](std::size_t i) {
+        auto const change = view.template get<Velocity>(i) - view.template get<VelocityBefore>(i);
+        resistance_[i] += (1 / step) * change - view.template get<Acceleration>(i);
+    });
     auto const& viscous = viscous_step_->viscous();
     counters_.singular_now = static_cast<std::int64_t>(viscous.singular_matrices());
     counters_.singular_matrices += counters_.singular_now;
@@ -244,6 +252,17 @@ void Incompressible<D>::project(double step) {
     counters_.singular_now += singular;
     counters_.singular_matrices += singular;
     expect_convergence("pressure", "", solved_, settings_.solve);
+}
+
+/// A force changes the kinetic energy by its impulse times the mean of the velocities before and after the step.
+template <int D>
+void Incompressible<D>::add_works(double step) {
+    auto const view = particles_.view();
+    works_ = works_ + sum_over(particles_.owned(), Works{}, [&](std::size_t i) {
+                 auto const way = 0.5 * step * (view.template get<VelocityBefore>(i) + view.template get<Velocity>(i));
+                 return Works{-settings_.surface.tension * dot(boundary_.of_size[i], way),
+                              -view.template at<Mass>()[i] * dot(resistance_[i], way)};
+             });
 }
 
 /// The explicit sweep left the viscous part in Stress; the implicit step has it; an inviscid liquid has none.
@@ -266,13 +285,16 @@ std::vector<Reading> Incompressible<D>::readings() const {
                               {"solver_iterations", static_cast<double>(solved_.iterations)},
                               {"divergence_max", divergence_}};
     if (viscous_step_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
-    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension);
+    if (settings_.surface.acts_on_boundary())
+        add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension, works_);
     return list;
 }
 
 template <int D>
 Arrangement Incompressible<D>::arrangement() {
     counters_.listings += neighbours_.update(particles_);
+    if (settings_.surface.acts_on_boundary())  // steps find it half-way
+        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
     return arrangement_of(particles_, neighbours_);
 }
 

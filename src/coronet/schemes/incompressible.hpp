@@ -90,15 +90,18 @@ private:
     void push(double step);
     void project(double step);
     void set_stress();
+    void add_works(double step);
 
     Settings settings_;
     Particles<D> particles_;
     Neighbours<D> neighbours_;
     Shifting<D> shifting_;
     BoundaryFinder<D> find_boundary_;
-    Boundary<D> boundary_;                      ///< if tension acts on it
-    ThesisPressure<D>* thesis_ = nullptr;       ///< the projection's, if it is that one
-    MeanOnBoundary<D>* on_boundary_ = nullptr;  ///< around it, if there is one
+    Boundary<D> boundary_;                       ///< if tension acts on it
+    std::vector<Vector<double, D>> resistance_;  ///< then the acceleration by viscous and artificial forces
+    Works works_;                                ///< and what was done so far [J]
+    ThesisPressure<D>* thesis_ = nullptr;        ///< the projection's, if it is that one
+    MeanOnBoundary<D>* on_boundary_ = nullptr;   ///< around it, if there is one
     Projection<D> projection_;
     Counters counters_;
     Phases phases_;

@@ -160,13 +160,13 @@ void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const
             for (std::size_t i = all.begin[block]; i < all.begin[block + 1]; ++i) act(i);
         });
     };
-    std::vector<char> fell_back(n);
+    fell_back_.resize(n);
     for_rows([&](std::size_t i) {
-        fell_back[i] = kernel.knots == 1 ? list<1>(i, records, neighbours, kernel, kind)
-                                         : list<Kernel::most_knots>(i, records, neighbours, kernel, kind);
+        fell_back_[i] = kernel.knots == 1 ? list<1>(i, records, neighbours, kernel, kind)
+                                          : list<Kernel::most_knots>(i, records, neighbours, kernel, kind);
     });
     for_rows([&](std::size_t i) { weigh(i, records, neighbours); });
-    singular_matrices_ = static_cast<std::size_t>(std::count(fell_back.begin(), fell_back.end(), true));
+    singular_matrices_ = static_cast<std::size_t>(std::count(fell_back_.begin(), fell_back_.end(), true));
 }
 
 template class KeptGradients<2>;

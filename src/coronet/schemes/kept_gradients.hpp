@@ -39,6 +39,7 @@ public:
     std::size_t size() const { return own_.size(); }
     /// Particles whose corrected gradient fell back to the plain one.
     std::size_t singular_matrices() const { return singular_matrices_; }
+    bool fell_back(std::size_t i) const { return fell_back_[i]; }
 
     /// G_ii.
     Vector<double, D> const& own(std::size_t i) const { return own_[i]; }
@@ -93,6 +94,7 @@ private:
     Rows gradient_, push_, slope_;
     std::vector<Vector<double, D>> own_, push_of_constant_;
     std::vector<double> sum_of_slopes_;
+    std::vector<char> fell_back_;
     std::size_t singular_matrices_ = 0;
 };
 

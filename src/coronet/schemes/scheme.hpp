@@ -40,12 +40,25 @@ struct Reading {
     double value;
 };
 
+/// What forces have done so far [J].
+struct Works {
+    double tension = 0;     ///< on the boundary
+    double dissipated = 0;  ///< taken by viscous and artificial forces
+
+    friend Works operator+(Works const& a, Works const& b) {
+        return {a.tension + b.tension, a.dissipated + b.dissipated};
+    }
+};
+
 /// What a scheme with a tension sigma [N/m] on the boundary shows of it, `jumps` those of its size so far.
 template <int D>
-void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, double jumps, double sigma) {
+void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, double jumps, double sigma,
+                  Works const& works) {
     list.push_back({"surface_energy", sigma * boundary.total_size()});
     list.push_back({"surface_content", boundary.total_content()});
     if (D == 3) list.push_back({"surface_energy_jumps", sigma * jumps});
+    list.push_back({"tension_work", works.tension});
+    list.push_back({"dissipated_energy", works.dissipated});
 }
 
 template <int D>
@@ -63,7 +76,8 @@ public:
     /// Makes every quantity that follows from the state (pressure, volume) fit it: before anyone looks.
     virtual void refresh() = 0;
 
-    /// Looks at every pair: cheap enough for a sample, not for every step.
+    /// Looks at every pair and, where tension acts on it, at the boundary as it is now: cheap enough for a sample, not
+    /// for every step.
     virtual Arrangement arrangement() = 0;
 
     /// Of the last step; always the same names, in the same order.

@@ -11,13 +11,13 @@
 
 namespace coronet {
 
-/// sigma [Pa]; where viscosity differs from particle to particle, it is kept.
+/// sigma [Pa], its viscous part times `share`; where viscosity differs from particle to particle, it is kept.
 template <class At, class R, int D>
 CORONET_HD Symmetric<R, D> stress(At const& at, GeneralisedNewtonian const& liquid, R const& p,
-                                  Matrix<R, D> const& grad_v) {
+                                  Matrix<R, D> const& grad_v, R const& share = R(1)) {
     R const mu = liquid.viscosity(grad_v);
     if (!liquid.is_newtonian()) at.template set<Viscosity>(mu);
-    return Newtonian<R>{mu}.stress(p, grad_v);
+    return Newtonian<R>{share * mu}.stress(p, grad_v);
 }
 
 /// The pressure that pushes over a step: with symplectic steps that at its end, after the rate of density that has just
@@ -67,7 +67,9 @@ CORONET_HD auto correction_of(At const& at, Sums const& sums, double kernel_at_z
                                                 sums.G0, sums.G1);
 }
 
-/// fpm, and the exterior of cph: the corrected gradient. Without pressure the stress is the viscous one alone.
+/// fpm, and the exterior of cph: the corrected gradient. Without pressure the stress is the viscous one alone. A
+/// particle that fell back to the plain gradient, which takes a rotation for a shear, has no viscous stress: so no
+/// stress has a torque.
 struct CorrectedClose {
     GeneralisedNewtonian liquid;
     double kernel_at_zero;
@@ -83,7 +85,8 @@ struct CorrectedClose {
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
         R const rate = -at.template get<Density>() * trace(grad_v);
         at.template set<DensityRate>(rate);
-        auto const sigma = stress(at, liquid, with_pressure ? pressure_after(dt, at, rate) : R(0), grad_v);
+        auto const sigma = stress(at, liquid, with_pressure ? pressure_after(dt, at, rate) : R(0), grad_v,
+                                  R(1) - correction.fell_back);
         at.template set<Stress>(sigma);
         auto const T = product<R, D>(sigma, correction.L);
         auto const s = sigma * correction.q;

@@ -33,7 +33,8 @@ template <int D>
 void ViscousOperator<D>::set_viscosity(GeneralisedNewtonian const& liquid, std::span<double const> v) {
     viscosity_.resize(gradients_.size());
     for_each(viscosity_.size(), [&](std::size_t i) {
-        viscosity_[i] = liquid.is_newtonian() ? liquid.rheology.viscosity : liquid.viscosity(gradient(i, v));
+        if (gradients_.fell_back(i)) viscosity_[i] = 0;
+        else viscosity_[i] = liquid.is_newtonian() ? liquid.rheology.viscosity : liquid.viscosity(gradient(i, v));
     });
 }
 

@@ -33,7 +33,7 @@ public:
     void diagonal(std::span<double> K) const;
 
     std::span<double const> viscosity() const { return viscosity_; }  ///< [Pa s]
-    /// Particles whose gradient fell back to the plain one.
+    /// Particles whose gradient fell back to the plain one; they have no viscosity (schemes/stress_close.hpp).
     std::size_t singular_matrices() const { return gradients_.singular_matrices(); }
 
 private:

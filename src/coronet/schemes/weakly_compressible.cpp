@@ -106,6 +106,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
     });
     evaluate(time + 0.5 * step, 0, step);
     damp(step);
+    works_ = works_ + Works{step * powers_.tension, step * powers_.dissipated};
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     phases_.act("correct", [&] {
         bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
@@ -126,6 +127,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
 template <int D>
 void WeaklyCompressible<D>::damp(double step) {
     if (!implicit_viscosity_) return;
+    double const before = power();
     phases_.act("viscous step", [&] {
         auto const& liquid = settings_.liquid;
         auto const mu = particles_.view().template at<Viscosity>();
@@ -139,6 +141,16 @@ void WeaklyCompressible<D>::damp(double step) {
             "{:.2g} is asked for (method.tolerance), with at most {} iterations (method.most_iterations)",
             viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
             settings_.solve.most_iterations));
+    powers_.dissipated += before - power();
+}
+
+/// Of all forces [W].
+template <int D>
+double WeaklyCompressible<D>::power() const {
+    auto const view = particles_.view();
+    return sum_over(particles_.owned(), 0.0, [&](std::size_t i) {
+        return view.template at<Mass>()[i] * dot(view.template get<Acceleration>(i), view.template get<Velocity>(i));
+    });
 }
 
 template <int D>
@@ -148,7 +160,13 @@ std::vector<Reading> WeaklyCompressible<D>::readings() const {
     constexpr char const* names[] = {"wall_force_x", "wall_force_y", "wall_force_z"};
     if (particles_.count(Role::wall) > 0)
         for (int k = 0; k < D; ++k) list.push_back({names[k], wall_force_[k]});
-    if (settings_.surface.acts_on_boundary()) add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension);
+    if (!settings_.surface.acts_on_boundary()) return list;
+    add_readings(list, boundary_, find_boundary_.jumps(), settings_.surface.tension, works_);
+    auto const view = particles_.view();
+    list.push_back({"compressive_energy", sum_over(particles_.owned(), 0.0, [&](std::size_t i) {
+                        return view.template at<Mass>()[i] *
+                               settings_.equation_of_state.energy(view.template at<Density>()[i]);
+                    })});
     return list;
 }
 
@@ -179,7 +197,11 @@ void WeaklyCompressible<D>::evaluate(double time, double dt, double shift) {
             if (one_sweep() || !ahead) walls_.add_to_density_rate(particles_, neighbours_);
             walls_.add_contact(particles_);
         });
-    if (on_boundary) phases_.act("surface", [&] { act_on_boundary(); });
+    if (on_boundary)
+        phases_.act("surface", [&] {
+            look_at_powers();
+            act_on_boundary();
+        });
     else if (settings_.surface.tension > 0)
         phases_.act("surface", [&] {
             find_surface(particles_, neighbours_, settings_.surface);

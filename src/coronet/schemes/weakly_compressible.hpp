@@ -109,6 +109,8 @@ private:
     void refresh_images();
     void find_boundary_and_mean_pressure();
     void act_on_boundary();
+    void look_at_powers();
+    double power() const;
     void predict_and_correct(double time, double step);
     void symplectic_step(double time, double step);
     void damp(double step);
@@ -125,7 +127,8 @@ private:
     Walls<D> walls_;
     BoundaryFinder<D> find_boundary_;
     Boundary<D> boundary_;               // if tension acts on it,
-    std::vector<double> mean_pressure_;  // and that of each piece
+    std::vector<double> mean_pressure_;  // and that of each piece,
+    Works works_, powers_;               // so far [J], in the last evaluation [W]
     Shifting<D> shifting_;
     std::optional<ConservingShift<D>> conserving_shift_;
     CoupledZones<D> zones_;  // of cph

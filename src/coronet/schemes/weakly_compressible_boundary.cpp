@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What acts on the boundary of the liquid in the weakly compressible scheme: tension and the mean pressure.
+// What acts on the boundary of the liquid in the weakly compressible scheme, tension and the mean pressure, and the
+// work that is done there and by friction.
 
 #include "coronet/schemes/weakly_compressible.hpp"
 
@@ -16,7 +17,25 @@ void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
     auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
     mean_pressure_ = boundary_.sums([&](std::size_t i) { return V[i] * p[i]; });
     for (std::size_t k = 0; k < volume.size(); ++k) mean_pressure_[k] /= volume[k];
-    for_each(particles_.size(), [&](std::size_t i) { p[i] -= mean_pressure_[boundary_.piece_of(i)]; });
+    for_each(particles_.owned(), [&](std::size_t i) { p[i] -= mean_pressure_[boundary_.piece_of(i)]; });
+    neighbours_.images().refresh(particles_, Fields<Pressure>{});
+}
+
+/// Before tension and mean pressure act: what remains of the work of the forces between particles is that of pressure,
+/// which continuity tells, being dual to it.
+template <int D>
+void WeaklyCompressible<D>::look_at_powers() {
+    auto const view = particles_.view();
+    std::size_t const n = particles_.owned();
+    powers_.tension = -settings_.surface.tension * sum_over(n, 0.0, [&](std::size_t i) {
+        return dot(boundary_.of_size[i], view.template get<Velocity>(i));
+    });
+    powers_.dissipated = -sum_over(n, 0.0, [&](std::size_t i) {
+        auto const a = view.template get<Acceleration>(i) - settings_.gravity;
+        double const compressing = view.template at<Pressure>()[i] * view.template at<DensityRate>()[i] /
+                                   (view.template at<Density>()[i] * view.template at<Density>()[i]);
+        return view.template at<Mass>()[i] * (dot(a, view.template get<Velocity>(i)) + compressing);
+    });
 }
 
 /// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
@@ -33,7 +52,7 @@ void WeaklyCompressible<D>::act_on_boundary() {
         return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + V[i] * rate[i] / rho[i];
     });
     add_tension(particles_, boundary_, settings_.surface.tension);
-    for_each(particles_.size(), [&](std::size_t i) {
+    for_each(particles_.owned(), [&](std::size_t i) {
         std::size_t const k = boundary_.piece_of(i);
         view.template set<Acceleration>(
             i, view.template get<Acceleration>(i) + (mean_pressure_[k] / m[i]) * boundary_.of_content[i]);
@@ -44,6 +63,8 @@ void WeaklyCompressible<D>::act_on_boundary() {
 
 template void WeaklyCompressible<2>::find_boundary_and_mean_pressure();
 template void WeaklyCompressible<3>::find_boundary_and_mean_pressure();
+template void WeaklyCompressible<2>::look_at_powers();
+template void WeaklyCompressible<3>::look_at_powers();
 template void WeaklyCompressible<2>::act_on_boundary();
 template void WeaklyCompressible<3>::act_on_boundary();
 
