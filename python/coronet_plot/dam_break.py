@@ -7,13 +7,14 @@ from matplotlib.figure import Figure
 
 from coronet_plot import style
 
-FRONTS = {  # tables of cases/reference: label, marker, and how the measures of a run call it
+# Tables of cases/reference: label, marker, and how the measures of a run call it where its zero of time is not known.
+FRONTS = {
     "dambreak_martin_moyce1952_a1125": ("Martin and Moyce (1952), 1.125 in", "^", "martin_moyce_1125"),
     "dambreak_martin_moyce1952_a225": ("Martin and Moyce (1952), 2.25 in", "v", "martin_moyce_225"),
     "dambreak_martin_moyce1952_square": ("Martin and Moyce (1952), 2.25 in", "v", "martin_moyce_square"),
     "dambreak_koshizuka_oka1996_front": ("Koshizuka and Oka (1996)", "D", "koshizuka"),
-    "dambreak_lobovsky2014_front_H300": ("Lobovsky et al. (2014)", "o", "lobovsky_300"),
-    "dambreak_lobovsky2014_front_H600": ("Lobovsky et al. (2014)", "o", "lobovsky_600"),
+    "dambreak_lobovsky2014_front_H300": ("Lobovsky et al. (2014)", "o", None),
+    "dambreak_lobovsky2014_front_H600": ("Lobovsky et al. (2014)", "o", None),
 }
 PRESSURES = {  # a line where it was computed
     **{f"dambreak_lobovsky2014_{at}": ("Lobovsky et al. (2014), measured", "o") for at in ("P1", "P3", "P4")},
@@ -65,6 +66,8 @@ def front(axes, runs, tables):
             label += f"; small: if {late:.2f} late"
         axes.plot(time, values, marker, color=style.GREY, ms=4, mfc="white", label=label, zorder=5)
     axes.axvline(2.5 * numpy.sqrt(height / width), color=style.GREY, lw=0.7, ls=":")
+    measured = [time[-1] for name, (time, _) in tables.items() if name in FRONTS]
+    if measured: axes.set_xlim(0, 1.1 * max(measured))
     axes.set_xlabel(r"$t\,(2g/W)^{1/2}$")
     axes.set_ylabel("front over the width of the column")
 
@@ -73,6 +76,7 @@ def pressure(axes, runs, tables, probe, wanted):
     fluid, height = runs[0].case["fluid"], number(runs[0], probe["depth"])
     g = -fluid["gravity"][1]
     for run, colour, _, label in style.styles(runs):
+        if not run.has(probe["name"]): continue
         time = run.series["time"] * numpy.sqrt(g / height)
         values = run.series[probe["name"]] / (float(fluid["density"]) * g * height)
         axes.plot(time, values, color=colour, lw=0.5, alpha=0.25)
@@ -94,16 +98,16 @@ def sensor(run, probe):
 
 
 def dam_break(runs):
-    """A panel for the front, and one for each sensor, that has a table to stand beside."""
+    """A panel for the front, and one for each sensor that has a table to stand beside."""
     tables = profiles(runs[0])
-    panels = [lambda axes: front(axes, runs, tables)] if any(name in FRONTS for name in tables) else []
+    panels = [lambda axes: front(axes, runs, tables)]
     for probe in probes(runs[0], "impact"):
         wanted = sensor(runs[0], probe)
         if wanted and any(name in PRESSURES and wanted in name for name in tables):
             panels.append(lambda axes, probe=probe, wanted=wanted: pressure(axes, runs, tables, probe, wanted))
     columns = min(2, len(panels))
-    rows = -(-len(panels) // columns) if panels else 0
-    drawing = Figure(figsize=(6.0 * max(columns, 1), 3.8 * max(rows, 1)))
+    rows = -(-len(panels) // columns)
+    drawing = Figure(figsize=(6.0 * columns, 3.8 * rows), layout="constrained")
     for k, panel in enumerate(panels):
         axes = drawing.add_subplot(rows, columns, k + 1)
         panel(axes)

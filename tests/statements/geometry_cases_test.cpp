@@ -85,6 +85,24 @@ TEST(DamBreak, HasAFrontThatRunsAsMeasured) {
     EXPECT_EQ(tall.count("pressure_error"), 0u);
 }
 
+TEST(DamBreak, BehindItsGateIsNearerToTheExperiment) {
+    auto const let_go = measured<2>(load_case("dam-break", {"particles.spacing=0.02", "time.end=0.31"}));
+    auto const gate = measured<2>(load_case("dam-break-gate", {"particles.spacing=0.02", "walls.1.size=[0.06, 0.35]",
+                                                               "walls.1.centre=[0.63, 0.175]", "time.end=0.31"}));
+    EXPECT_LT(std::fabs(gate.at("front_error_lobovsky_300")), std::fabs(let_go.at("front_error_lobovsky_300")));
+    EXPECT_EQ(gate.at("through_walls"), 0);  // the gate has gone, and leaves no wall where it was
+}
+
+TEST(DamBreak, HasAFrontAlongTheFloor) {
+    auto c = load_case("dam-break", {});
+    Shape spray = c.shapes[0];
+    spray.centre = {1.2, 0.8};
+    spray.size = {0.05, 0.05};
+    c.shapes.push_back(spray);
+    auto const scheme = make_scheme<2>(c);
+    EXPECT_NEAR(make_probes<2>(c)[0]->sample(Snapshot<2>(0, scheme->particles(), c))[0], 0.6, 1e-12);
+}
+
 TEST(DamBreak, StartsAsPotentialFlowSays) {
     // Let go, a column of depth H and width W has the pressure rho g (H - y - sum A cos(k y) cosh(k x)/cosh(k W)), k =
     // (n + 1/2) pi/H, A = 2/(H k^2): none at the top and the front, no force through floor and wall.

@@ -12,6 +12,7 @@ namespace coronet {
 namespace {
 
 constexpr double until = 2.5;  // t sqrt(2 g/H)
+constexpr double low = 0.1;    // what is higher above the floor, over H, is no part of the front
 
 struct Reference {
     char const *table, *name, *source;
@@ -52,15 +53,17 @@ DamBreakProbe::DamBreakProbe(ProbeKeys const& keys, Case const& c)
       gravity_(-c.fluid.gravity[1]),
       height_(Formula(keys.depth, c.parameters)(Vector<double, 2>{}, 0)),
       width_(Formula(keys.width, c.parameters)(Vector<double, 2>{}, 0)),
-      left_(lower_corner(c)[0]),
+      corner_(lower_corner(c)),
       half_spacing_(c.particles.spacing / 2) {}
 
 std::vector<double> DamBreakProbe::sample(Snapshot<2> const& now) {
     auto const view = now.particles.view();
     auto const in_solid = [&](std::size_t i) { return solid_.holds(view.get<Position>(i)); };
-    double const farthest = max_over(now.particles.owned(), left_,
-                                     [&](std::size_t i) { return in_solid(i) ? left_ : view.get<Position>(i)[0]; });
-    double const front = farthest + half_spacing_ - left_;
+    double const farthest = max_over(now.particles.owned(), 0.0, [&](std::size_t i) {
+        auto const x = view.get<Position>(i) - corner_;
+        return x[1] > low * height_ || in_solid(i) ? 0 : x[0];
+    });
+    double const front = farthest + half_spacing_;
     front_.time.push_back(now.time * std::sqrt(2 * gravity_ / width_));
     front_.value.push_back(front / width_);
     through_ = sum_over(now.particles.owned(), 0.0, [&](std::size_t i) { return in_solid(i) ? 1.0 : 0.0; });

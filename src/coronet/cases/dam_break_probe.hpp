@@ -2,10 +2,10 @@
 #pragma once
 
 // A column of liquid, H high and W wide, that collapses along the floor from a wall at its left: how far its front has
-// come from that wall. Beside it, to t sqrt(2 g/H) = 2.5, the front that was measured in a column of that form:
-//   - H = 2 W: J. C. Martin and W. J. Moyce, Phil. Trans. R. Soc. A 244 (1952) 312, and S. Koshizuka and Y. Oka, Nucl.
-//   Sci.
-//     Eng. 123 (1996) 421;
+// come from that wall, the liquid that is farthest within H/10 above the floor: spray above it counts for nothing.
+// Beside it, to t sqrt(2 g/H) = 2.5, the front that was measured in a column of that form:
+//   - H = 2 W: J. C. Martin and W. J. Moyce, Phil. Trans. R. Soc. A 244 (1952) 312, and S. Koshizuka and Y. Oka,
+//     Nucl. Sci. Eng. 123 (1996) 421;
 //   - H = W: Martin and Moyce, and L. Lobovsky et al., J. Fluids Struct. 48 (2014) 407;
 //   - H = W/2: Lobovsky et al.
 // Times are from when the column is let go. Lobovsky et al. count from when their gate begins to move; where an
@@ -33,7 +33,9 @@ public:
 private:
     Solid<2> solid_;  // of the walls at rest
     double through_ = 0;
-    double gravity_, height_, width_, left_, half_spacing_;
+    double gravity_, height_, width_;
+    Vector<double, 2> corner_;
+    double half_spacing_;
     Curve front_;  // over W, over t sqrt(2 g/W)
 };
 
