@@ -88,8 +88,7 @@ std::vector<Measure> CavityProbe<D>::measures() const {
         if (!profile.reference.empty()) {
             measure.reference = 0;
             measure.error = measure.value;
-            measure.source =
-                "cases/reference/" + cavity_table(D, reynolds_) + ".csv, over the speed of the lid";
+            measure.source = "cases/reference/" + cavity_table(D, reynolds_) + ".csv, over the speed of the lid";
         }
         list.push_back(measure);
     }

@@ -207,7 +207,8 @@ void check_probes(Case const& c, Errors& errors) {
         for (std::string const& column : probe->columns())
             if (!columns.insert(column).second)
                 say(errors,
-                    "the column '{}' of the series is there already: give the probe, or its wall, another name, or leave it "
+                    "the column '{}' of the series is there already: give the probe, or its wall, another name, or "
+                    "leave it "
                     "away",
                     column);
 }
@@ -352,8 +353,8 @@ void check(Case const& c, Errors& errors) {
             "particles.rotation and particles.origin are of lattices, and particles.lattice is 'shells': leave them "
             "away");
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
-    bool const fits = c.fluid.surface_tension > 0 || c.method.shifting == "sun" ||
-                      (thesis && c.surface.pressure != "free");
+    bool const fits =
+        c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (thesis && c.surface.pressure != "free");
     if (fits || (closed && c.method.shifting != "none")) {
         if (2 * c.surface.coverage_radius > c.method.support)
             say(errors,

@@ -8,7 +8,8 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     std::vector<std::string> const ones(static_cast<std::size_t>(dimension), "1");
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
     if (dimension == 2) kinds.insert(kinds.end(), {"patch", "taylor-green"});
-    kinds.insert(kinds.end(), {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
+    kinds.insert(kinds.end(),
+                 {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
     if (dimension == 2) kinds.insert(kinds.end(), {"dam-break", "impact"});
     if (dimension == 3 || keys.everything()) kinds.push_back("drag");
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);

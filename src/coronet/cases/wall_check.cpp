@@ -88,10 +88,11 @@ void check_motion(Wall const& wall, std::size_t k, Case const& c, Errors& errors
         Formula formula(text, c.parameters);
         for (int n = 1; n <= 100; ++n) {
             double const t = c.time.end * n / 100, here = formula(Vector<double, 3>{}, t);
-            if (!std::isfinite(here)) return say(errors, "walls.{}.{} = '{}' is not finite at t = {} s", k, key, text, t);
+            if (!std::isfinite(here))
+                return say(errors, "walls.{}.{} = '{}' is not finite at t = {} s", k, key, text, t);
             if (formula(Vector<double, 3>{{0.37, 0.53, 0.71}}, t) != here)
-                return say(errors, "walls.{}.{} = '{}' depends on x, y or z, but a wall moves as a whole: use t alone", k,
-                           key, text);
+                return say(errors, "walls.{}.{} = '{}' depends on x, y or z, but a wall moves as a whole: use t alone",
+                           k, key, text);
         }
     };
     for (std::string const& text : wall.displacement) check("displacement", text, "m");

@@ -60,8 +60,8 @@ double largest_speed(Particles<D> const& particles) {
 
 template <int D>
 template <class GradientClose>
-void Shifting<D>::find(Particles<D>& particles, Neighbours<D> const& neighbours, double step,
-                       Walls<D> const* walls, GradientClose const& gradients) {
+void Shifting<D>::find(Particles<D>& particles, Neighbours<D> const& neighbours, double step, Walls<D> const* walls,
+                       GradientClose const& gradients) {
     particles.allocate(Fields<Shift, VelocityAlongShift, DensityAlongShift>{});
     if (!started_) note_volume(particles, neighbours);
     double const alpha = largest_speed(particles) * step;
@@ -160,7 +160,7 @@ void Shifting<D>::look_at_surface(Particles<D>& particles, Neighbours<D> const& 
     });
 }
 
-#define CORONET_FIND(D, Close)                                                                                \
+#define CORONET_FIND(D, Close) \
     template void Shifting<D>::find(Particles<D>&, Neighbours<D> const&, double, Walls<D> const*, Close const&)
 CORONET_FIND(2, NoGradients);
 CORONET_FIND(2, CorrectedClose);

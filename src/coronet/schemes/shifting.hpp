@@ -10,8 +10,8 @@
 // alpha/2; a particle whose neighbours do not span the space has no gradient, and stays.
 //
 // The shift is found where the scheme finds its gradients, with them in one sweep where these are corrected, and takes
-// place at the end of the step. In print it is found at the end: it is later here by a part of a step, in which the
-// arrangement changes by no more than the shift wants to.
+// place at the end of the step. In print it is found there, too; here it is that of the particles at the step's start
+// (at its middle, with two evaluations a step), from which they stand as far as they move in a step.
 //
 // With a vector that respects the surface (sun), a particle of the free surface is moved along it only, and one that
 // has such a particle in its support is not moved towards it: along the normal of the nearest surface particle. So the
@@ -24,7 +24,8 @@
 // Volume in a closed domain: particles that the flow has brought out of order have taken volume along (the sum of V
 // div v is -2 sum V v . grad C, C the concentration of the particles), and the shift brings them back without it, so
 // that density and pressure would rise for ever. Liquid without a free surface at the start fills its walls, if
-// they do not move, and its periodic box for good: after each shift all its densities are multiplied by what makes its volume that of the start.
+// they do not move, and its periodic box for good: after each shift all its densities are multiplied by what makes its
+// volume that of the start.
 //
 // What it conserves: mass, and linear fields. Momentum changes by sum m d . grad v a step, energy accordingly: little
 // inside, where shifts have no common direction, and much where a surface spreads (docs/method.md).

@@ -285,8 +285,8 @@ template <int D>
 void WeaklyCompressible<D>::count_singular() {
     if (settings_.gradient == Gradient::sph) return;
     double const* const fell_back = particles_.view().template at<FellBack>();
-    counters_.singular_now = static_cast<std::int64_t>(
-        sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return fell_back[i]; }));
+    counters_.singular_now =
+        static_cast<std::int64_t>(sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return fell_back[i]; }));
     counters_.singular_matrices += counters_.singular_now;
 }
 
