@@ -9,7 +9,7 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
     if (dimension == 2) kinds.insert(kinds.end(), {"patch", "taylor-green"});
     kinds.insert(kinds.end(),
-                 {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
+                 {"drop", "mode", "static-drop", "pieces", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
     if (dimension == 2) kinds.push_back("dam-break");
     if (dimension == 3 || keys.everything()) kinds.insert(kinds.end(), {"drag", "column"});
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);

@@ -13,6 +13,7 @@
 #include "coronet/cases/hydrostatic_probe.hpp"
 #include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/patch_probe.hpp"
+#include "coronet/cases/pieces_probe.hpp"
 #include "coronet/cases/point_value.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/static_drop_probe.hpp"
@@ -177,6 +178,7 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         }
         if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe<D>>(c));
         if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe<D>>(keys, c));
+        if (keys.kind == "pieces") probes.push_back(std::make_unique<PiecesProbe<D>>(c));
         if (keys.kind == "static-drop") probes.push_back(std::make_unique<StaticDropProbe<D>>(c));
         if constexpr (D == 2) {
             if (keys.kind == "dam-break") probes.push_back(std::make_unique<DamBreakProbe>(keys, c));
