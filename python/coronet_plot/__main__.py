@@ -7,7 +7,7 @@ from pathlib import Path
 if not __package__:  # started by its path, as `coronet plot` does
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from coronet_plot import curves, dam_break, drop, droplet, history, pictures, rheology, style
+from coronet_plot import curves, dam_break, drop, droplet, history, pictures, rheology, style, tension
 from coronet_plot.run import Mistake, Run
 
 # Every figure: its file, who draws it, and whether a run has what it shows. Curves stand first: where a frame
@@ -22,6 +22,8 @@ FIGURES = [
     ("patch_history.png", curves.corner_radius, lambda run: run.has("corner_radius")),
     ("mode.png", droplet.mode, lambda run: run.has("mode_amplitude")),
     ("droplet_history.png", droplet.droplet_history, lambda run: run.has("circularity", "area", "spacing_p01")),
+    ("energies.png", tension.energies, lambda run: run.has("surface_energy", "dissipated_energy")),
+    ("column.png", tension.column, lambda run: run.has("wave_amplitude", "neck_radius")),
     ("dam_break.png", dam_break.dam_break, lambda run: run.has("front")),
     ("particles.png", pictures.particles, lambda run: run.frames),
     ("patch.png", pictures.patch, lambda run: run.has("corner_radius") and run.frames),

@@ -14,7 +14,7 @@ PYTHON = Path(__file__).resolve().parents[2] / "python"
 sys.path.insert(0, str(PYTHON))
 sys.dont_write_bytecode = True
 
-from coronet_plot import dam_break, drop, droplet, history, pictures, rheology, style
+from coronet_plot import dam_break, drop, droplet, history, pictures, rheology, style, tension
 from coronet_plot.frame import Frame
 from coronet_plot.run import Run
 
@@ -162,6 +162,24 @@ class Plot(unittest.TestCase):
         measures["period"]["value"] = None  # it could not be fitted
         (run / "summary.json").write_text(json.dumps({"status": "done", "measures": measures}))
         self.assertIsNone(droplet.fit(Run(run)))
+
+    def test_energies_are_drawn_as_changes_that_add_up(self):
+        series = {"time": TIME, "kinetic_energy": 1 + TIME, "surface_energy": 5 - 3 * TIME, "dissipated_energy": TIME}
+        run = write_run(self.folder / "run", "collision", series)
+        found = tension.changes(Run(run))
+        numpy.testing.assert_allclose(found["surface"], -3 * TIME)
+        numpy.testing.assert_allclose(found["together"], -TIME)
+        self.assertEqual(len(tension.energies([Run(run)]).axes[0].lines), 5)  # of four curves, and zero
+        self.assert_draws(plot(run), run, "energies.png")
+
+    def test_a_column_gets_its_wave_with_theorys_slope_from_where_it_has_doubled(self):
+        series = {"time": TIME, "wave_amplitude": 0.01 * numpy.exp(2 * TIME), "neck_radius": 1 - TIME / 2}
+        run = write_run(self.folder / "run", "column", series)
+        self.assertEqual(len(tension.column([Run(run)]).axes[0].lines), 1)  # it has not ended yet
+        (run / "summary.json").write_text(json.dumps({"status": "done", "measures": {"growth_rate": {"reference": 2.0}}}))
+        found, exact = tension.column([Run(run)]).axes[0].lines
+        numpy.testing.assert_allclose(exact.get_ydata(), found.get_ydata()[:len(exact.get_ydata())], rtol=1e-9)
+        self.assert_draws(plot(run), run, "column.png")
 
     def test_a_breaking_dam_gets_its_front_and_its_pressure_beside_what_was_measured(self):
         series = {"time": TIME, "front": 0.3 + TIME, "low": 1e3 * TIME, "elsewhere": 1e3 * TIME}

@@ -24,11 +24,11 @@ struct Cut {
 struct Shape {
     std::string kind = "disc";
     std::vector<double> centre;
-    double radius = 1;
+    double radius = 1, length = 1;
     std::vector<double> size, semi_axes;
     double rotation = 0;
-    double amplitude = 0;  ///< of a drop, and its mode: those of the section `drop`
-    int mode = 2;
+    double amplitude = 0;  ///< of a drop, and its mode: those of the section `drop`; of a column that of `column`
+    int mode = 2;          ///< and there its number of waves
     std::vector<Cut> cuts;
 };
 
@@ -54,7 +54,7 @@ struct ProbeKeys {
     std::vector<std::string> rates, semi_axes;
     std::string side = "1", angular_velocity = "1", speed = "1";
     std::string flow = "steady", gap = "1", lower_velocity = "0", upper_velocity = "0", depth = "1", width = "1";
-    int mode = 2;
+    int mode = 2, waves = 1;
     std::string wall, radius = "1";
     double sensor_width = 0;
 };
@@ -75,6 +75,11 @@ struct Case {
         double amplitude = 0.05;
         int mode = 2;
     } drop;
+
+    struct {
+        double amplitude = 0;
+        int waves = 1;
+    } column;
 
     struct {
         double spacing = 0;

@@ -19,6 +19,7 @@
 #include "coronet/cases/series_columns.hpp"
 #include "coronet/cases/set_up.hpp"
 #include "coronet/cases/shapes.hpp"
+#include "coronet/cases/shells_check.hpp"
 #include "coronet/cases/wall_check.hpp"
 #include "coronet/cases/wall_fill.hpp"
 #include "coronet/core/error.hpp"
@@ -84,7 +85,7 @@ void check_domain(Case const& c, Errors& errors) {
                 "domain.size = [{}] is thinner along {} than twice the kernel's radius, {:.4g} m: a particle would "
                 "meet images of itself; make it wider",
                 fmt::join(c.domain.size, ", "), "xyz"[k], thinnest);
-        else if (!lattice.repeats_after(across))
+        else if (c.particles.lattice != "shells" && !lattice.repeats_after(across))
             say(errors,
                 "domain.size = [{}] does not hold whole cells of the lattice along {} at particles.spacing = {} m: "
                 "there would be a seam",
@@ -117,9 +118,13 @@ void check_domain(Case const& c, Errors& errors) {
         say(errors,
             "a wall is not for time.stepping = 'symplectic-euler' with method.gradient = 'fpm' and "
             "method.viscous_force = 'stress': use 'morris', or 'predictor-corrector'");
-    if (closed && c.fluid.surface_tension > 0)
-        say(errors, "{} is not for a liquid with fluid.surface_tension = {} N/m: set it to 0", what,
-            c.fluid.surface_tension);
+    int const periods = static_cast<int>(std::count(box.periodic, box.periodic + D, true));
+    bool const goes_on = D == 3 && periods == 1 && c.surface.tension_force == "boundary";
+    if (closed && c.fluid.surface_tension > 0 && (!c.walls.empty() || !goes_on))
+        say(errors,
+            "{} is not for a liquid with fluid.surface_tension = {} N/m: set it to 0 (in 3D, with "
+            "surface.tension_force = 'boundary' and without walls, the liquid may be periodic along one axis)",
+            what, c.fluid.surface_tension);
 }
 
 template <int D>
@@ -176,6 +181,13 @@ void check_probes(Case const& c, Errors& errors) {
             say(errors,
                 "probes.{}: Laplace's pressure is that of surface tension, but fluid.surface_tension is 0 N/m: set it",
                 k);
+        if (probe.kind == "column" && (c.fluid.surface_tension == 0 || c.domain.periodic != "x"))
+            say(errors,
+                "probes.{}: a column along x breaks up by surface tension and goes on at both ends: set "
+                "fluid.surface_tension, and domain.periodic = 'x'",
+                k);
+        if ((probe.kind == "drop" || probe.kind == "mode" || probe.kind == "static-drop") && periodic_box<D>(c).any())
+            say(errors, "probes.{}: a probe of kind {} sees no liquid across domain.periodic", k, probe.kind);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
@@ -340,18 +352,7 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "method.central_share is for fluid.rheology = 'newtonian' with method.viscous_force = 'stress', "
             "viscous_step = 'explicit' and no walls: leave it away");
-    bool const one_round_shape =
-        c.shapes.size() == 1 && c.shapes[0].cuts.empty() && c.shapes[0].kind != "box" && c.shapes[0].kind != "ellipse";
-    if (c.particles.lattice == "shells" && !one_round_shape)
-        say(errors,
-            "particles.lattice = 'shells' is for one shape of kind disc, ball or drop, without cuts: use 'square' or "
-            "'hexagonal'");
-    if (c.particles.lattice == "shells" && (!c.walls.empty() || c.domain.periodic != "none"))
-        say(errors, "particles.lattice = 'shells' has no place for walls and periodic boundaries: use 'square'");
-    if (c.particles.lattice == "shells" && (c.particles.rotation != 0 || c.particles.origin != "node"))
-        say(errors,
-            "particles.rotation and particles.origin are of lattices, and particles.lattice is 'shells': leave them "
-            "away");
+    check_shells(c, errors);
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     bool const fits =
         c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (thesis && c.surface.pressure != "free");

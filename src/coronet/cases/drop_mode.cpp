@@ -5,18 +5,13 @@
 #include <cmath>
 #include <complex>
 
+#include "coronet/cases/bessel_ratio.hpp"
+
 namespace coronet {
 
 namespace {
 
 using Complex = std::complex<double>;
-
-/// z I_{n+1}(z)/I_n(z) by its continued fraction z^2/(2 (n + 1) + z^2/(2 (n + 2) + ...)), from far enough out.
-Complex bessel_ratio(double n, Complex const& z2) {
-    Complex tail = 0;
-    for (int k = 60 + static_cast<int>(2 * std::sqrt(std::abs(z2))); k > 0; --k) tail = z2 / (2 * (n + k) + tail);
-    return tail;
-}
 
 double inviscid_frequency(int dimension, int n) {
     return std::sqrt(dimension == 2 ? n * (n * n - 1.0) : n * (n - 1.0) * (n + 2.0));

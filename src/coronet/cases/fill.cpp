@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coronet/cases/column_shells.hpp"
 #include "coronet/cases/lattice.hpp"
 #include "coronet/cases/shells.hpp"
 #include "coronet/cases/wall_fill.hpp"
@@ -26,7 +27,11 @@ double expected_particles(Case const& c) {
 
 template <int D>
 Seeds<D> fill(Case const& c) {
-    if (c.particles.lattice == "shells") return fill_shells<D>(c);
+    if (c.particles.lattice == "shells") {
+        if constexpr (D == 3)
+            if (c.shapes.front().kind == "column") return fill_column(c);
+        return fill_shells<D>(c);
+    }
     double const dx = c.particles.spacing, slack = 1e-9 * dx;
     Lattice<D> const lattice(c);
     Solid<D> const solid(c);

@@ -9,9 +9,9 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
     Keys::Words kinds{"value", "angular-momentum", "stretching"};
     if (dimension == 2) kinds.insert(kinds.end(), {"patch", "taylor-green"});
     kinds.insert(kinds.end(),
-                 {"drop", "mode", "static-drop", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
+                 {"drop", "mode", "static-drop", "pieces", "channel", "cavity", "hydrostatic", "wall-force", "sensor"});
     if (dimension == 2) kinds.insert(kinds.end(), {"dam-break", "impact"});
-    if (dimension == 3 || keys.everything()) kinds.push_back("drag");
+    if (dimension == 3 || keys.everything()) kinds.insert(kinds.end(), {"drag", "column"});
     keys.choice({.path = path + ".kind", .meaning = "what is measured", .required = true}, probe.kind, kinds);
     if (wants("value") || wants("sensor") || wants("impact"))
         keys.text({.path = path + ".name", .meaning = "column of the series", .required = true}, probe.name);
@@ -89,6 +89,13 @@ void describe_probe(Keys& keys, ProbeKeys& probe, std::string const& path, int d
                       .at_least = 2,
                       .at_most = 100},
                      probe.mode);
+    if (wants("column"))
+        keys.integer({.path = path + ".waves",
+                      .unit = "-",
+                      .meaning = "of the amplitude that is shown, on a column as long as the periodic box",
+                      .at_least = 1,
+                      .at_most = 100},
+                     probe.waves);
 }
 
 }  // namespace coronet

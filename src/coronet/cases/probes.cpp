@@ -5,6 +5,7 @@
 
 #include "coronet/cases/cavity_probe.hpp"
 #include "coronet/cases/channel_probe.hpp"
+#include "coronet/cases/column_probe.hpp"
 #include "coronet/cases/dam_break_probe.hpp"
 #include "coronet/cases/drag_probe.hpp"
 #include "coronet/cases/drop_probe.hpp"
@@ -13,6 +14,7 @@
 #include "coronet/cases/impact_probe.hpp"
 #include "coronet/cases/mode_probe.hpp"
 #include "coronet/cases/patch_probe.hpp"
+#include "coronet/cases/pieces_probe.hpp"
 #include "coronet/cases/point_value.hpp"
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/static_drop_probe.hpp"
@@ -171,10 +173,13 @@ std::vector<std::unique_ptr<Probe<D>>> make_probes(Case const& c) {
         if (keys.kind == "channel") probes.push_back(std::make_unique<ChannelProbe<D>>(keys, c));
         if (keys.kind == "wall-force") probes.push_back(std::make_unique<WallForceProbe<D>>(keys, c));
         if (keys.kind == "sensor") probes.push_back(std::make_unique<SensorProbe<D>>(keys, c));
-        if constexpr (D == 3)
+        if constexpr (D == 3) {
             if (keys.kind == "drag") probes.push_back(std::make_unique<DragProbe>(keys, c));
+            if (keys.kind == "column") probes.push_back(std::make_unique<ColumnProbe>(keys, c));
+        }
         if (keys.kind == "drop") probes.push_back(std::make_unique<DropProbe<D>>(c));
         if (keys.kind == "mode") probes.push_back(std::make_unique<ModeProbe<D>>(keys, c));
+        if (keys.kind == "pieces") probes.push_back(std::make_unique<PiecesProbe<D>>(c));
         if (keys.kind == "static-drop") probes.push_back(std::make_unique<StaticDropProbe<D>>(c));
         if constexpr (D == 2) {
             if (keys.kind == "dam-break") probes.push_back(std::make_unique<DamBreakProbe>(keys, c));

@@ -26,6 +26,7 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
     auto const wants = [&](std::string const& kind) { return keys.everything() || shape.kind == kind; };
     Keys::Words kinds{dimension == 2 ? "disc" : "ball", "box", "ellipse", "drop"};
     if (keys.everything()) kinds.insert(kinds.begin(), "ball");
+    if (dimension == 3 || keys.everything()) kinds.push_back("column");
     if (dimension == 3 && shape.kind == "disc") shape.kind = "ball";
     std::vector<double> const origin(static_cast<std::size_t>(dimension), 0.0);
     std::vector<double> const unit(static_cast<std::size_t>(dimension), 1.0);
@@ -33,17 +34,21 @@ void describe_shape(Keys& keys, Shape& shape, std::string const& path, int dimen
     keys.choice(
         {.path = path + ".kind",
          .meaning =
-             "form of the liquid; an ellipse in 3D is an ellipsoid, a drop a disc or ball with the wave of `drop`",
+             "form of the liquid; an ellipse in 3D is an ellipsoid, a drop a disc or ball with the wave of `drop`, a "
+             "column a cylinder along the x axis with the wave of `column`",
          .required = true},
         shape.kind, kinds);
     if (shape.centre.empty()) shape.centre = origin;
     keys.numbers({.path = path + ".centre", .unit = "m", .meaning = "its centre"}, shape.centre, dimension);
-    if (wants("disc") || wants("ball") || wants("drop"))
+    if (wants("disc") || wants("ball") || wants("drop") || wants("column"))
         keys.number({.path = path + ".radius",
                      .unit = "m",
-                     .meaning = "of a disc or ball; of a drop, that of the disc (ball) with its area (volume)",
+                     .meaning = "of a disc or ball; of a drop, that of the disc (ball) with its area (volume), of a "
+                                "column that of the cylinder",
                      .above = 0},
                     shape.radius);
+    if (wants("column"))
+        keys.number({.path = path + ".length", .unit = "m", .meaning = "of a column", .above = 0}, shape.length);
     if (wants("box")) {
         if (shape.size.empty()) shape.size = unit;
         keys.numbers({.path = path + ".size", .unit = "m", .meaning = "edges of a box", .above = 0}, shape.size,
@@ -84,8 +89,28 @@ void describe_drop(Keys& keys, Case& c) {
     keys.integer({.path = "drop.mode", .unit = "-", .meaning = "n of the same", .at_least = 2, .at_most = 100},
                  c.drop.mode);
     for (Shape& shape : c.shapes) {
+        if (!is_drop(shape)) continue;
         shape.amplitude = c.drop.amplitude;
         shape.mode = c.drop.mode;
+    }
+}
+
+/// The wave on the shapes of kind column.
+void describe_column(Keys& keys, Case& c) {
+    auto const is_column = [](Shape const& shape) { return shape.kind == "column"; };
+    if (!keys.everything() && std::none_of(c.shapes.begin(), c.shapes.end(), is_column)) return;
+    keys.number({.path = "column.amplitude",
+                 .unit = "-",
+                 .meaning = "a of the radius 1 + a cos(2 pi n x/length) of shapes of kind column, x from their middle",
+                 .at_least = -0.9,
+                 .at_most = 0.9},
+                c.column.amplitude);
+    keys.integer({.path = "column.waves", .unit = "-", .meaning = "n of the same", .at_least = 1, .at_most = 100},
+                 c.column.waves);
+    for (Shape& shape : c.shapes) {
+        if (!is_column(shape)) continue;
+        shape.amplitude = c.column.amplitude;
+        shape.mode = c.column.waves;
     }
 }
 
@@ -209,6 +234,7 @@ void describe(Keys& keys, Case& c) {
         c.shapes.size(), [&](std::size_t n) { c.shapes.resize(n); },
         [&](std::size_t k, std::string const& path) { describe_shape(keys, c.shapes[k], path, D); });
     describe_drop(keys, c);
+    describe_column(keys, c);
     describe_boundaries(keys, c);
 
     auto& p = c.particles;
@@ -221,8 +247,8 @@ void describe(Keys& keys, Case& c) {
     keys.choice(
         {.path = "particles.lattice",
          .meaning =
-             "how particles are laid; hexagonal is face-centred cubic in 3D, shells are concentric, for one disc, "
-             "ball or drop"},
+             "how particles are laid; hexagonal is face-centred cubic in 3D, shells are concentric, for discs, balls "
+             "or drops of one radius, or for a column"},
         p.lattice, {"square", "hexagonal", "shells"});
     keys.choice({.path = "particles.origin", .meaning = "a particle (node) or a cell corner at x = 0"}, p.origin,
                 {"node", "cell"});

@@ -40,6 +40,14 @@ inline double drop_radius(Shape const& shape, Vector<double, 3> const& x) {
     return shape.radius / std::cbrt(1 + 3 * a * a / (2 * n + 1) + a * a * a * cubes) * (1 + a * wave);
 }
 
+/// The radius [m] of a column at x [m] from its middle, R0 (1 + a cos(2 pi n x/length)), its volume that of the
+/// cylinder of its radius, R0^2 (1 + a^2/2).
+inline double column_radius(Shape const& shape, double x) {
+    double const a = shape.amplitude;
+    return shape.radius / std::sqrt(1 + a * a / 2) *
+           (1 + a * std::cos(2 * std::numbers::pi * shape.mode * x / shape.length));
+}
+
 /// Whether x [m] is inside; `slack` [m] keeps points that round-off would put just outside.
 template <int D>
 bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
@@ -54,6 +62,10 @@ bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
         for (int k = 0; k < D; ++k) inside = inside && std::fabs(y[k]) <= shape.size[k] / 2 + slack;
     } else if (shape.kind == "drop") {
         inside = std::sqrt(norm2(y)) <= drop_radius(shape, y) + slack;
+    } else if (shape.kind == "column") {
+        double const along = y[0] * y[0];
+        inside = std::fabs(y[0]) <= shape.length / 2 + slack &&
+                 std::sqrt(norm2(y) - along) <= column_radius(shape, y[0]) + slack;
     } else {
         double q = 0;
         for (int k = 0; k < D; ++k) q += std::pow(y[k] / (shape.semi_axes[k] + slack), 2);
@@ -78,7 +90,9 @@ Vector<double, D> half_extents(Shape const& shape) {
         half[k] = shape.kind == "box"       ? shape.size[k] / 2
                   : shape.kind == "ellipse" ? shape.semi_axes[k]
                   : shape.kind == "drop"    ? shape.radius * (1 + std::fabs(shape.amplitude))
-                                            : shape.radius;
+                  : shape.kind != "column"  ? shape.radius
+                  : k == 0                  ? shape.length / 2
+                                            : shape.radius * (1 + std::fabs(shape.amplitude));
     return half;
 }
 
@@ -91,7 +105,7 @@ double extent(Shape const& shape, Vector<double, D> const& g) {
         sum += std::fabs(g[k]) * half[k];
         sum2 += g[k] * g[k] * half[k] * half[k];
     }
-    return shape.kind == "box" ? sum : std::sqrt(sum2);
+    return shape.kind == "box" || shape.kind == "column" ? sum : std::sqrt(sum2);
 }
 
 }  // namespace coronet

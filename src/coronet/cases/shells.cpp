@@ -54,8 +54,7 @@ Vector<double, D> carried(Vector<double, D> x, int n, double amplitude) {
 
 template <int D>
 Seeds<D> fill_shells(Case const& c) {
-    Shape const& shape = c.shapes.front();
-    double const R = shape.radius, unit = D == 2 ? pi : 4 * pi / 3, dx = c.particles.spacing;
+    double const R = c.shapes.front().radius, unit = D == 2 ? pi : 4 * pi / 3, dx = c.particles.spacing;
     auto const shells = std::max(std::lround(R / dx), 1L);
     double const volume = unit * std::pow(R, D);
     auto const total = std::max(std::lround(volume / std::pow(dx, D)), 1L);
@@ -63,23 +62,27 @@ Seeds<D> fill_shells(Case const& c) {
 
     Seeds<D> seeds;
     seeds.volume = volume / static_cast<double>(total);
-    for (long shell = 1; shell <= shells; ++shell) {
-        double const outer = static_cast<double>(shell) / static_cast<double>(shells),
-                     inner = static_cast<double>(shell - 1) / static_cast<double>(shells),
-                     radius = std::pow((std::pow(inner, D) + std::pow(outer, D)) / 2, 1.0 / D);
-        auto const within = static_cast<std::size_t>(std::lround(static_cast<double>(total) * std::pow(outer, D)));
-        even_points(within - seeds.size(), seed, static_cast<std::uint64_t>(shell), Vector<double, D>{},
-                    [&](Vector<double, D> const& e) {
-                        auto x = radius * e;
-                        for (int k = 0; k < D; ++k)
-                            x[k] += c.particles.jitter * dx / R *
-                                    (2 * random(seed, seeds.size(), static_cast<std::uint64_t>(k) + 2) - 1);
-                        if (shape.kind == "drop") x = carried(x, shape.mode, shape.amplitude);
-                        x = turned(R * x, shape.rotation);
-                        for (int k = 0; k < D; ++k) x[k] += shape.centre[k];
-                        seeds.position.push_back(x);
-                        seeds.surface.push_back(shell == shells);
-                    });
+    std::uint64_t number = 0;  // of a shell
+    for (Shape const& shape : c.shapes) {
+        std::size_t const before = seeds.size();
+        for (long shell = 1; shell <= shells; ++shell) {
+            double const outer = static_cast<double>(shell) / static_cast<double>(shells),
+                         inner = static_cast<double>(shell - 1) / static_cast<double>(shells),
+                         radius = std::pow((std::pow(inner, D) + std::pow(outer, D)) / 2, 1.0 / D);
+            auto const within = static_cast<std::size_t>(std::lround(static_cast<double>(total) * std::pow(outer, D)));
+            even_points(before + within - seeds.size(), seed, ++number, Vector<double, D>{},
+                        [&](Vector<double, D> const& e) {
+                            auto x = radius * e;
+                            for (int k = 0; k < D; ++k)
+                                x[k] += c.particles.jitter * dx / R *
+                                        (2 * random(seed, seeds.size(), static_cast<std::uint64_t>(k) + 2) - 1);
+                            if (shape.kind == "drop") x = carried(x, shape.mode, shape.amplitude);
+                            x = turned(R * x, shape.rotation);
+                            for (int k = 0; k < D; ++k) x[k] += shape.centre[k];
+                            seeds.position.push_back(x);
+                            seeds.surface.push_back(shell == shells);
+                        });
+        }
     }
     return seeds;
 }

@@ -12,7 +12,7 @@
 
 namespace coronet {
 
-/// For a case with one shape, a disc, ball or drop without cuts.
+/// For a case whose shapes are discs, balls or drops of one radius, without cuts.
 template <int D>
 Seeds<D> fill_shells(Case const& c);
 

@@ -33,6 +33,13 @@ struct PeriodicBox {
             if (periodic[k]) shift[k] = -size[k] * std::floor((x[k] - low[k]) / size[k]);
         return shift;
     }
+    /// What to add to the way from one point to another to come to the nearest copy of that.
+    Vector<double, D> shift_to_nearest(Vector<double, D> const& way) const {
+        Vector<double, D> shift;
+        for (int k = 0; k < D; ++k)
+            if (periodic[k]) shift[k] = -size[k] * std::round(way[k] / size[k]);
+        return shift;
+    }
 };
 
 template <int D>
@@ -61,6 +68,7 @@ public:
             (copy(F{}), ...);
         });
     }
+    PeriodicBox<D> const& box() const { return box_; }
     /// Whose image particle i is; i itself where it is none.
     std::size_t original(Particles<D> const& particles, std::size_t i) const {
         std::size_t const first = particles.begin(Role::liquid_image);

@@ -19,6 +19,14 @@ Vector<double, 3> rotation(Vector<double, 3> const& x, int k) {
     return v;
 }
 
+/// Whether a body in the box may turn about that axis: not where this would tear it from its next period.
+template <int D>
+bool can_turn(PeriodicBox<D> const& box, int axis) {
+    for (int k = 0; k < D; ++k)
+        if (box.periodic[k] && (D == 2 || k != axis)) return false;
+    return true;
+}
+
 /// Momentum and moment about an origin of the particles of one piece.
 template <int D>
 struct Motion {
@@ -45,7 +53,7 @@ std::vector<Motion<D>> motions(Particles<D> const& particles, Boundary<D> const&
                                Vector<double, D> const& origin) {
     std::vector<Motion<D>> motions(boundary.pieces);
     auto const view = particles.view();
-    for (std::size_t i = 0; i < particles.size(); ++i)
+    for (std::size_t i = 0; i < particles.owned(); ++i)
         motions[boundary.piece_of(i)].add(view.template at<Mass>()[i], view.template get<Position>(i) - origin,
                                           view.template get<Velocity>(i));
     return motions;
@@ -56,7 +64,7 @@ std::vector<Motion<D>> motions(Particles<D> const& particles, Boundary<D> const&
 template <int D>
 void ConservingShift<D>::find(Particles<D> const& particles, Neighbours<D> const& neighbours) {
     auto const view = particles.view();
-    shift_.resize(particles.size());
+    shift_.resize(particles.owned());
     for_each(shift_.size(), [&](std::size_t i) {
         auto const x = view.template get<Position>(i);
         double const m = view.template at<Mass>()[i];
@@ -143,6 +151,7 @@ Matrix<double, D> ConservingShift<D>::gradient(View<D> const& view, Neighbours<D
 template <int D>
 void ConservingShift<D>::apply(Particles<D>& particles, Neighbours<D> const& neighbours, Boundary<D> const& boundary) {
     keep_size_and_content(particles, boundary);
+    neighbours.images().refresh(particles, Fields<Position, Velocity>{});
     auto const view = particles.view();
     std::size_t const n = shift_.size();
     Vector<double, D> const origin = view.template get<Position>(0);
@@ -167,8 +176,15 @@ void ConservingShift<D>::apply(Particles<D>& particles, Neighbours<D> const& nei
         drift[k] = (1 / now.mass) * (before[k].momentum - now.momentum);
         Motion<D> whole;
         whole.add(now.mass, centre[k], drift[k]);
-        Eigen::Matrix3d const inertia = now.inertia - whole.inertia;
-        Eigen::Vector3d const lack = before[k].moment - now.moment - whole.moment;
+        Eigen::Matrix3d inertia = now.inertia - whole.inertia;
+        Eigen::Vector3d lack = before[k].moment - now.moment - whole.moment;
+        for (int a = 0; a < axes; ++a)
+            if (!can_turn(neighbours.images().box(), a)) {
+                inertia.row(a).setZero();
+                inertia.col(a).setZero();
+                inertia(a, a) = 1;
+                lack(a) = 0;
+            }
         spin[k] = inertia.trace() > 0 ? Eigen::Vector3d(inertia.ldlt().solve(lack)) : Eigen::Vector3d(0, 0, 0);
     }
     for_each(n, [&](std::size_t i) {

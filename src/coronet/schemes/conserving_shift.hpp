@@ -11,7 +11,8 @@
 // So shifting neither spreads a surface nor takes or gives surface energy.
 //
 // Velocities follow the flow to where particles are put, v <- v + grad v d, or else they would diffuse; then a rigid
-// motion of each piece, of the order of the error of grad v, gives back its momentum and angular momentum to round-off.
+// motion of each piece, of the order of the error of grad v, gives back its momentum and angular momentum to round-off;
+// in a liquid that is periodic along an axis the moment about that one, the only one there is.
 
 #include <vector>
 

@@ -86,7 +86,7 @@ private:
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
                           double spacing) {
     auto const outline = find_outline(particles, neighbours, coverage_radius);
-    std::size_t const n = particles.size();
+    std::size_t const n = particles.owned();
     particles.allocate(Fields<Surface>{});
     auto const view = particles.view();
     std::fill_n(view.at<Surface>(), n, 0.0);

@@ -22,7 +22,7 @@ Boundary<3> BoundaryFinder<3>::operator()(Particles<3>& particles, Neighbours<3>
 
     std::optional<double> before;  // with the triangles of before
     if (listing_ > 0) {
-        std::vector<Index> place(particles.size());
+        std::vector<Index> place(particles.owned());
         for (std::size_t i = 0; i < place.size(); ++i)
             place[static_cast<std::size_t>(particles.id[i])] = static_cast<Index>(i);
         for (std::size_t v = 0; v < of_mesh_.size(); ++v)

@@ -29,10 +29,12 @@ struct Edge {
     Index i, j, from, to;
 };
 
+/// Images with their originals.
 Particles<3> disordered(Particles<3> const& particles, double by, int attempt) {
     Particles<3> moved(particles.owned());
+    moved.set_images(particles.size() - particles.owned(), 0);
     moved.allocate(Fields<Position>{});
-    for_each(moved.owned(), [&](std::size_t i) {
+    for_each(moved.size(), [&](std::size_t i) {
         auto x = particles.view().get<Position>(i);
         auto const id = static_cast<std::uint64_t>(particles.id[i]);
         for (int k = 0; k < 3; ++k)
@@ -82,6 +84,9 @@ std::vector<Edge> find_edges(Particles<3>& particles, Neighbours<3> const& neigh
     mark_surface(particles, neighbours, radius);
     auto const view = particles.view();
     double const* const open = view.at<Surface>();
+    auto const original = [&](Index i) {
+        return static_cast<Index>(neighbours.images().original(particles, static_cast<std::size_t>(i)));
+    };
     Targets const& all = neighbours.all();
     std::vector<std::vector<Edge>> of_block(all.blocks());
     for_blocks(all.blocks(), [&](std::size_t block) {
@@ -94,9 +99,10 @@ std::vector<Edge> find_edges(Particles<3>& particles, Neighbours<3> const& neigh
                 auto const x = view.get<Position>(static_cast<std::size_t>(j)) - view.get<Position>(i);
                 if (norm2(x) < 4 * radius * radius) sphere.add(j, x, radius);
             }
-            sphere.for_gaps([&](Index j) { return j > number && open[j] != 0; },
+            sphere.for_gaps([&](Index j) { return original(j) > number && open[original(j)] != 0; },
                             [&](Index j, Gap const& gap) {
-                                if (gap.from >= 0) of_block[block].push_back({number, j, gap.from, gap.to});
+                                if (gap.from < 0) return;
+                                of_block[block].push_back({number, original(j), original(gap.from), original(gap.to)});
                             });
         }
     });
@@ -190,7 +196,10 @@ SurfaceMesh find_mesh(Particles<3> const& particles, Neighbours<3> const& neighb
     check_coverage_radius(radius, neighbours.support());
     for (int attempt = 0; attempt < attempts; ++attempt) {
         auto moved = disordered(particles, disorder * radius, attempt);
-        if (auto mesh = join(find_edges(moved, neighbours, radius))) return *std::move(mesh);
+        if (auto mesh = join(find_edges(moved, neighbours, radius))) {
+            mesh->box = neighbours.images().box();
+            return *std::move(mesh);
+        }
     }
     throw RunError(fmt::format(
         "the surface particles form no closed mesh, although it was tried with {} sets of tiny random displacements: "

@@ -15,6 +15,11 @@
 // What is exactly on a ball, as four particles of a lattice's face are, is decided by particles that are moved, for
 // that alone, by 1e-5 radii at random. Deciding which triangles there are is costly, and need not be done as often as
 // the positions change: a mesh stays closed however its particles move.
+//
+// Across a periodic boundary the mesh goes on: an image counts as its original, so vertices are particles of the liquid
+// and every triangle is there once. What lies across the boundary is nearer by a period: its triangles must be measured
+// by the ways between their corners, each to the nearest copy, which the period decides by being wider than two
+// supports. A column as long as the period is closed, as a tube is whose ends are joined.
 
 #include <array>
 #include <vector>
@@ -29,6 +34,7 @@ struct SurfaceMesh {
     /// A corner is 3 times its triangle plus its place there; those of a vertex v, one after the other around it, are
     /// corners[first[v]] ... corners[first[v + 1] - 1].
     std::vector<Index> first, corners;
+    PeriodicBox<3> box;  ///< in which it repeats itself
 
     std::size_t vertices() const { return particle.size(); }
     /// Calls visit(triangle, place) for the corners of a vertex.

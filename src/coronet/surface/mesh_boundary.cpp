@@ -31,6 +31,10 @@ public:
     Corners(SurfaceMesh const& mesh, std::vector<Vector3> x, double spacing, double volume)
         : mesh_(mesh), x_(std::move(x)), corners_(x_), triangle_(mesh.triangles.size()), vertex_(mesh.vertices()) {
         for_each(triangle_.size(), [&](std::size_t t) {
+            auto const& v = mesh_.triangles[t];
+            for (std::size_t k = 1; k < 3; ++k)
+                triangle_[t].shift[k] =
+                    mesh_.box.shift_to_nearest(x_[static_cast<std::size_t>(v[k])] - x_[static_cast<std::size_t>(v[0])]);
             triangle_[t].normal = vector_area(t, x_);
             triangle_[t].area = std::sqrt(norm2(triangle_[t].normal));
         });
@@ -59,6 +63,19 @@ public:
     std::vector<Vector3> const& positions() const { return corners_; }
     /// Of a triangle between them.
     Vector3 vector_area(std::size_t t) const { return vector_area(t, corners_); }
+
+    /// What a triangle adds to the volume within: the flux through it of a field of divergence one that points along
+    /// the axes without a period alone, so that it is the same in every period.
+    double content(std::size_t t) const {
+        auto const area = vector_area(t);
+        double flux = 0, axes = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (mesh_.box.periodic[k]) continue;
+            ++axes;
+            for (std::size_t place = 0; place < 3; ++place) flux += at(corners_, t, place)[k] * area[k] / 3;
+        }
+        return flux / axes;
+    }
 
     /// From derivatives by the corners to those by the particles, in place.
     void to_particles(std::vector<Both<Vector3>>& slopes) const {
@@ -105,6 +122,7 @@ public:
 
 private:
     struct Triangle {
+        Vector3 shift[3];  // of its corners, from their vertices, to be where the first one is [m]
         Vector3 normal{};  // the vector area [m^2]
         double area = 0, share = 0;
     };
@@ -140,8 +158,8 @@ private:
         auto const v = static_cast<std::size_t>(vertex);
         return static_cast<double>(mesh_.first[v + 1] - mesh_.first[v]);
     }
-    Vector3 const& at(std::vector<Vector3> const& x, std::size_t t, std::size_t place) const {
-        return x[static_cast<std::size_t>(mesh_.triangles[t][place % 3])];
+    Vector3 at(std::vector<Vector3> const& x, std::size_t t, std::size_t place) const {
+        return x[static_cast<std::size_t>(mesh_.triangles[t][place % 3])] + triangle_[t].shift[place % 3];
     }
     Vector3 vector_area(std::size_t t, std::vector<Vector3> const& x) const {
         return 0.5 * cross(at(x, t, 1) - at(x, t, 0), at(x, t, 2) - at(x, t, 0));
@@ -173,7 +191,7 @@ std::vector<Vector<double, 3>> boundary_corners(SurfaceMesh const& mesh, Particl
 
 Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighbours<3> const& neighbours,
                         double coverage_radius, double spacing, double volume) {
-    std::size_t const n = particles.size();
+    std::size_t const n = particles.owned();
     particles.allocate(Fields<Surface>{});
     auto const view = particles.view();
     std::fill_n(view.at<Surface>(), n, 0.0);
@@ -185,12 +203,9 @@ Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighb
     Vector3 const origin = view.get<Position>(particle(0));
     Corners const corners(mesh, vertices(mesh, particles, origin), spacing, volume);
 
-    // A triangle of corners a, b, c spans a . (b x c)/6 with the origin.
-    auto const& X = corners.positions();
     std::vector<Both<double>> of_triangle(mesh.triangles.size());
     for_each(of_triangle.size(), [&](std::size_t t) {
-        auto const area = corners.vector_area(t);
-        of_triangle[t] = {std::sqrt(norm2(area)), dot(X[static_cast<std::size_t>(mesh.triangles[t][0])], area) / 3};
+        of_triangle[t] = {std::sqrt(norm2(corners.vector_area(t))), corners.content(t)};
     });
     auto const part = mesh.parts();
     std::vector<double> content_of_part(static_cast<std::size_t>(*std::ranges::max_element(part)) + 1, 0);

@@ -14,6 +14,9 @@
 // these to the areas of triangles, from these to particles. A mesh that has been found keeps its triangles while
 // particles move; where it is found anew, size and content jump.
 //
+// In a liquid that is periodic along an axis, size and content are those of one period (mesh.hpp): the volume is the
+// flux of a field that points across the period, r/2 from the axis instead of x/3.
+//
 // Bounds: s_v counts as no less than half a spacing squared, so that the boundary is no more than a spacing out where
 // surface particles crowd; and |N_v| as no less than half of A_v, where the mesh folds back on itself.
 

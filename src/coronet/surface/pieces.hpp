@@ -28,8 +28,9 @@ std::size_t number_pieces(Particles<D> const& particles, Neighbours<D> const& ne
             std::size_t const i = open.back();
             open.pop_back();
             for (Index const at : neighbours.row(i)) {
-                auto const j = static_cast<std::size_t>(at);
-                auto const x = view.template get<Position>(j) - view.template get<Position>(i);
+                auto const x =
+                    view.template get<Position>(static_cast<std::size_t>(at)) - view.template get<Position>(i);
+                std::size_t const j = neighbours.images().original(particles, static_cast<std::size_t>(at));
                 if (piece[j] >= 0 || norm2(x) > reach * reach) continue;
                 piece[j] = number;
                 open.push_back(j);
