@@ -10,7 +10,7 @@ template <int D>
 void ImplicitViscosity<D>::list(Particles<D> const& particles, Neighbours<D> const& neighbours) {
     std::size_t const n = particles.owned();
     auto const view = particles.view();
-    double const H2 = kernel_.support * kernel_.support, softening = 0.01 * H2 / 9;
+    double const H2 = kernel_.support * kernel_.support;
     begin_.assign(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i) begin_[i + 1] = begin_[i] + neighbours.row(i).size();
     links_.resize(begin_[n]);
@@ -25,7 +25,7 @@ void ImplicitViscosity<D>::list(Particles<D> const& particles, Neighbours<D> con
             double const mean_viscosity = mu_i + mu_j > 0 ? 2 * mu_i * mu_j / (mu_i + mu_j) : 0;
             double const r2 = norm2(x - view.template get<Position>(j));
             double const c = r2 < H2 ? -view.template get<Volume>(i) * view.template get<Volume>(j) * 2 *
-                                           mean_viscosity * kernel_(r2).F * r2 / (r2 + softening)
+                                           mean_viscosity * kernel_(r2).F
                                      : 0;
             Role const role = particles.role(j);
             bool const is_liquid = role == Role::liquid || role == Role::liquid_image;

@@ -6,7 +6,7 @@
 //     (M + dt K) a' = M a,
 // the linearly implicit Euler method (Rosenbrock, Comput. J. 5 (1963) 329): of first order in the step, and exact where
 // the flow is steady, for there a is 0. K is the viscous force between velocities (terms/morris_viscosity.hpp),
-//     (K v)_i = sum_j c_ij (v_i - v_j),   c_ij = -V_i V_j 2 mu_ij x . grad W_ij/(r^2 + 0.01 h^2) > 0,
+//     (K v)_i = sum_j c_ij (v_i - v_j),   c_ij = -V_i V_j 2 mu_ij x . grad W_ij/r^2 > 0,
 // mu_ij the harmonic mean; symmetric, positive semi-definite and local. A wall particle's velocity goes against that of
 // the liquid: it counts as 2 c_ij v_i, with which the step is stable at any length. Momentum within the liquid is kept
 // to the solve's tolerance. Solved by conjugate gradients with the diagonal, for all components at once.

@@ -2,9 +2,12 @@
 #pragma once
 
 // The viscous force of Morris, Fox and Zhu, J. Comput. Phys. 136 (1997) 214, Eq 22, for a constant viscosity eta:
-//     dv_i/dt = 1/rho_i sum_j V_j 2 eta (x_ij . grad W_ij)/(r^2 + 0.01 h^2) v_ij.
+//     dv_i/dt = 1/rho_i sum_j V_j 2 eta (x_ij . grad W_ij)/r^2 v_ij.
 // It needs no velocity gradient, so one sweep serves pressure, viscosity and continuity. Linear momentum is conserved
 // and energy only removed; angular momentum is not conserved, since the force is along v_ij and not along x_ij.
+//
+// Morris has r^2 + 0.01 h^2 below, which takes half a percent off the viscosity, whatever the spacing. It is not
+// needed: grad W = F x with an F that stays finite where particles meet.
 //
 // With corrected kernels (Jahanbakhsh et al., 7th SPHERIC workshop, 2012, Eq 18) grad W_ij becomes
 //     (grad W~_ij - grad W~_ji)/2 = ((L_i + L_j) grad W_ij - (q_i - q_j) W_ij)/2.
@@ -25,8 +28,7 @@ struct MorrisViscosity {
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
-        R const slope = (ij.j.V * ij.F) * (ij.r2 * ij.soft);  // V x . grad W/(r^2 + 0.01 h^2)
-        return give<gives>(ij, (R(2 * eta) * (1.0 / ij.i.rho) * slope) * (ij.i.v - ij.j.v));
+        return give<gives>(ij, (R(2 * eta) * (1.0 / ij.i.rho) * (ij.j.V * ij.F)) * (ij.i.v - ij.j.v));
     }
 };
 
@@ -41,9 +43,8 @@ struct VariableMorrisViscosity {
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
-        R const slope = (ij.j.V * ij.F) * (ij.r2 * ij.soft);
-        return give<gives>(ij,
-                           (R(4) * ij.i.mu * ij.j.mu / ((ij.i.mu + ij.j.mu) * ij.i.rho) * slope) * (ij.i.v - ij.j.v));
+        R const eta = R(4) * ij.i.mu * ij.j.mu / ((ij.i.mu + ij.j.mu) * ij.i.rho);
+        return give<gives>(ij, (eta * (ij.j.V * ij.F)) * (ij.i.v - ij.j.v));
     }
 };
 
@@ -58,7 +59,8 @@ struct CorrectedMorrisViscosity {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         R const along = dot(ij.x, (ij.i.L + ij.j.L) * ij.gradW) - ij.W * dot(ij.x, ij.i.q - ij.j.q);  // twice x . grad
-        return give<gives>(ij, (R(eta) * (1.0 / ij.i.rho) * (ij.j.V * along * ij.soft)) * (ij.i.v - ij.j.v));
+        R const inverse_square = 1.0 / largest(ij.r2, R(1e-4) * ij.h * ij.h);  // W x . q/r^2 is not finite where they meet
+        return give<gives>(ij, (R(eta) * (1.0 / ij.i.rho) * (ij.j.V * along * inverse_square)) * (ij.i.v - ij.j.v));
     }
 };
 
