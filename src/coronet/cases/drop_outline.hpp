@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is seen of a drop in 2D from outside: the outline of its largest piece, moved out by half a spacing
-// (surface/outline.hpp), about its centroid.
+// What is seen of a drop in 2D from outside: the line around its largest piece, about its centroid. With tension on the
+// boundary it is that boundary (surface/boundary.hpp), V/(2 l) outside of the outermost particles: where they crowd,
+// less of each is left to lie outside of them. Else the outline (surface/outline.hpp), moved out by half a spacing.
 
 #include <complex>
 

@@ -56,9 +56,7 @@ std::vector<double> DropProbe<D>::sample(Snapshot<D> const& now) {
 template <int D>
 std::vector<Measure> DropProbe<D>::measures() const {
     if (!start_) return {};
-    std::string const name = content_name<D>,
-                      source = name + (D == 2 ? " within the outline moved out by half a spacing, over mass/density"
-                                              : " within the boundary, over mass/density");
+    std::string const name = content_name<D>, source = name + " within the boundary, over mass/density";
     std::vector<Measure> measures{
         {"circularity_final", circularity_, 1.0, circularity_ - 1,
          std::string(D == 2 ? "a circle" : "a sphere") + ": largest over smallest radius of the outline"},

@@ -2,8 +2,8 @@
 #pragma once
 
 // A drop: how round it is, whether it keeps its area (volume), and whether it stays where its momentum takes it. Shape
-// and area are geometric, in 2D of the outline of the largest piece moved out by half a spacing (drop_outline.hpp), in
-// 3D of its boundary (drop_surface.hpp); the area there should be, and the radius R by which lengths are measured,
+// and area are geometric, of the line (drop_outline.hpp) or the boundary (drop_surface.hpp)
+// around the largest piece; the area there should be, and the radius R by which lengths are measured,
 // follow from mass and density. And where its energy is (energy_ledger.hpp).
 
 #include "coronet/cases/energy_ledger.hpp"

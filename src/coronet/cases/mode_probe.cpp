@@ -9,6 +9,7 @@
 
 #include "coronet/cases/fluid.hpp"
 #include "coronet/cases/oscillation_fit.hpp"
+#include "coronet/cases/shapes.hpp"
 #include "coronet/cases/solid_harmonic.hpp"
 #include "coronet/cases/totals.hpp"
 
@@ -27,8 +28,9 @@ std::complex<double> ModeProbe<D>::amplitude_of(Snapshot<D> const& now) const {
     if constexpr (D == 2) return mode_of(now.outline().line, n_) / radius_;
     auto const view = now.particles.view();
     auto const centre = totals(now.particles).centre();
+    double const turn = case_.shapes.front().rotation;
     double const moment = sum_over(now.particles.owned(), 0.0, [&](std::size_t i) {
-        auto const x = (1 / radius_) * (view.template get<Position>(i) - centre);
+        auto const x = turned((1 / radius_) * (view.template get<Position>(i) - centre), -turn);
         return view.template get<Mass>(i) * solid_harmonic(n_, x).value;
     });
     return (2 * n_ + 1) / (4 * std::numbers::pi) * moment / (case_.fluid.density * std::pow(radius_, 3));

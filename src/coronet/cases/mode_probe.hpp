@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// One mode of the shape of a drop. In 2D, r = R (1 + a cos(n (theta - theta0))), by projection of the outline moved out
-// by half a spacing (drop_outline.hpp) about its centroid; R from mass and density. The amplitude is a complex number,
+// One mode of the shape of a drop. In 2D, r = R (1 + a cos(n (theta - theta0))), by projection of the line around it
+// (drop_outline.hpp) about its centroid; R from mass and density. The amplitude is a complex number,
 // a exp(-i n theta0); it is shown along its first value, so that what oscillates is `mode_amplitude`, and what turns or
-// is noise is `mode_amplitude_imaginary`. In 3D, r = R (1 + a P_n(cos theta)), theta from the x axis: to first order in
-// a the sum over particles of the volume m/rho0 times the solid harmonic r^n P_n (solid_harmonic.hpp) about the centre
-// of mass is 4 pi/(2n + 1) R^(n+3) a, so no surface need be found. Period and damping rate come from a fit to the
-// former (oscillation_fit.hpp), from one period of theory on, when sound and the first disorder are gone, to the end.
-// Where viscosity depends on the shear rate, theory is given the one that dissipates: its mean over particles and
-// samples, weighted by shear rate squared.
+// is noise is `mode_amplitude_imaginary`. In 3D, r = R (1 + a P_n(cos theta)), theta from the x axis of the first
+// shape: to first order in a the sum over particles of the volume m/rho0 times the solid harmonic r^n P_n
+// (solid_harmonic.hpp) about the centre of mass is 4 pi/(2n + 1) R^(n+3) a, so no surface need be found. Period and
+// damping rate come from a fit to the former (oscillation_fit.hpp), from one period of theory on, when sound and the
+// first disorder are gone, to the end. Where viscosity depends on the shear rate, theory is given the one that
+// dissipates: its mean over particles and samples, weighted by shear rate squared.
 
 #include <complex>
 

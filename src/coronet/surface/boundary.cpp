@@ -41,6 +41,7 @@ public:
         }
     }
 
+    std::vector<Vector2> const& all() const { return corners_; }
     Vector2 const& operator[](std::size_t k) const { return corners_[k]; }
     std::size_t next(std::size_t k) const { return at(k, 1); }
 
@@ -131,6 +132,10 @@ Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbou
         }
     }
     return boundary;
+}
+
+std::vector<Vector2> boundary_corners(std::vector<Vector2> const& loop, double spacing) {
+    return Corners(loop, spacing).all();
 }
 
 }  // namespace coronet

@@ -51,4 +51,7 @@ struct Boundary {
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
                           double spacing);
 
+/// The corners X of one loop of the outline, as for find_boundary. spacing [m].
+std::vector<Vector<double, 2>> boundary_corners(std::vector<Vector<double, 2>> const& loop, double spacing);
+
 }  // namespace coronet

@@ -2,7 +2,7 @@
 #pragma once
 
 // Viscosity along the line of two particles,
-//     dv_i/dt = 1/rho_i sum_j V_j 2 (D + 2) mu (v_ij . x_ij)/(r^2 + 0.01 h^2) grad W_ij,
+//     dv_i/dt = 1/rho_i sum_j V_j 2 (D + 2) mu (v_ij . x_ij)/r^2 grad W_ij,
 // after J. J. Monaghan and R. A. Gingold, J. Comput. Phys. 52 (1983) 374, with the coefficient of P. Espanol and M.
 // Revenga, Phys. Rev. E 67 (2003) 026705: inside a liquid it is mu (lap v + 2 grad div v). At a free surface it
 // dissipates as a stress does (A. Colagrossi et al., Phys. Rev. E 84 (2011) 026705), less what neighbours are missing
@@ -42,7 +42,7 @@ struct CentralViscosity {
         using R = typename P::Number;
         constexpr int D = decltype(ij.x)::size;
         if (viscosity == 0) return give<gives>(ij, Vector<R, D>{});  // other terms do not wait for it
-        R const rate = dot(ij.i.v - ij.j.v, ij.x) * ij.soft;
+        R const rate = dot(ij.i.v - ij.j.v, ij.x) / largest(ij.r2, R(1e-4) * ij.h * ij.h);
         return give<gives>(ij, (R(2 * (D + 2) * viscosity) * (1.0 / ij.i.rho) * rate * (ij.j.V * ij.F)) * ij.x);
     }
 };

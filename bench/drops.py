@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drops that oscillate, fly and rest, in both schemes: the tables of docs/validation.md.
+
+    /usr/bin/python3 bench/drops.py [oscillating] [flying] [large] [resting] [space] [--finest N] [--keep]
+
+oscillating: period and damping of modes 2 to 4 in 2D, particles jittered and the axis turned by 17 degrees; flying: what offset and
+boost leave of momentum and angular momentum over 10 periods; large: amplitude 30 % over 10 periods; resting: pressure and
+spurious speeds; space: mode 2 in 3D. None of these words is all of them. N is the largest number of particles per radius (default 40).
+Runs go to runs/drops/, each on one thread; with --keep those already there are not run again. The program is build/release/coronet,
+or what the environment variable CORONET names.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+RUNS = ROOT / "runs" / "drops"
+CORONET = os.environ.get("CORONET", str(ROOT / "build/release/coronet"))
+keep = "--keep" in sys.argv
+finest = int(sys.argv[sys.argv.index("--finest") + 1]) if "--finest" in sys.argv else 40
+
+RADIUS, DENSITY, TENSION = 5.7547e-3, 1000, 7.2e-3  # of the case oscillating-drop: m, kg/m^3, N/m
+SPEED = (TENSION / (DENSITY * RADIUS)) ** 0.5
+TIME = RADIUS / SPEED
+PERIODS = {2: 2.59 * TIME, 3: 1.31 * TIME, 4: 0.835 * TIME}  # at the Ohnesorge number 0.05
+SCHEMES = {"projection": {},
+           "weakly compressible": {"method.scheme": "weakly-compressible", "initial.pressure": TENSION / RADIUS, "fluid.sound_speed": 15 * SPEED}}
+
+
+class Run:
+    def __init__(self, name, case, settings):
+        self.directory = RUNS / name.replace(" ", "-")
+        if not (keep and (self.directory / "summary.json").exists()):
+            words = [CORONET, "run", case, "--quiet", "--threads", "1", "--out", str(self.directory), "--overwrite"]
+            for key, value in settings.items():
+                words += ["--set", f"{key}={value}"]
+            subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+        self.summary = json.loads((self.directory / "summary.json").read_text())
+        self.series = np.genfromtxt(self.directory / "series.csv", delimiter=",", names=True)
+
+    def error(self, measure):
+        return f"{100 * self.summary['measures'][measure]['error']:+.2f} %"
+
+    def value(self, measure):
+        return f"{self.summary['measures'][measure]['value']:.1e}"
+
+    def angular_drift(self):
+        """Largest change of the angular momentum, over mass times radius times the capillary speed."""
+        L = self.series["angular_momentum_z"]
+        return f"{np.abs(L - L[0]).max() / (self.series['mass'][0] * RADIUS * SPEED):.1e}"
+
+
+def flat(scheme, per_radius, ohnesorge=0.05, **changes):
+    """Settings of the case oscillating-drop."""
+    return {**SCHEMES[scheme], "particles.spacing": RADIUS / per_radius,
+            "fluid.viscosity": ohnesorge * (DENSITY * TENSION * RADIUS) ** 0.5, "output.frames": "false",
+            **{key.replace("__", "."): value for key, value in changes.items()}}
+
+
+def oscillating():
+    print("| scheme | Ohnesorge number | mode | particles per radius | period | damping rate | steps |\n" + "|---" * 7 + "|")
+    for scheme in SCHEMES:
+        for mode in PERIODS:
+            for ohnesorge in (0.05, 0.01):
+                for n in (20, 40, 80) if mode == 2 else (40,):
+                    if n > finest:
+                        continue
+                    run = Run(f"{scheme} Oh {ohnesorge} mode {mode} {n}", "oscillating-drop",
+                              flat(scheme, n, ohnesorge, drop__mode=mode, probes__1__mode=mode, particles__jitter=0.1,
+                                   shapes__0__rotation=17, time__end=3.1 * PERIODS[mode], output__series_every=PERIODS[mode] / 100))
+                    print(f"| {scheme} | {ohnesorge} | {mode} | {n} | {run.error('period')} | {run.error('damping_rate')} "
+                          f"| {run.summary['steps']} |", flush=True)
+
+
+def flying():
+    print("| scheme | centre, off its straight line | momentum | angular momentum |\n" + "|---" * 4 + "|")
+    for scheme in SCHEMES:
+        run = Run(f"{scheme} flying", "oscillating-drop",
+                  flat(scheme, 20, particles__jitter=0.1, shapes__0__rotation=17, shapes__0__centre=[RADIUS, 2 * RADIUS],
+                       initial__velocity=[SPEED, -SPEED / 2], time__end=10 * PERIODS[2]))
+        print(f"| {scheme} | {run.value('centre_drift')} | {run.value('momentum_drift')} | {run.angular_drift()} |", flush=True)
+
+
+def large():
+    print("| scheme | area, at most | amplitude, of the start, in the last period | energy drift |\n" + "|---" * 4 + "|")
+    for scheme in SCHEMES:
+        run = Run(f"{scheme} large", "oscillating-drop",
+                  flat(scheme, 20, drop__amplitude=0.3, particles__jitter=0.1, shapes__0__rotation=17, time__end=10 * PERIODS[2]))
+        last = run.series["time"] > 9 * PERIODS[2]
+        left = np.abs(run.series["mode_amplitude"][last]).max() / run.series["mode_amplitude"][0]
+        print(f"| {scheme} | {run.error('area_error_max')} | {left:.4f} | {run.value('energy_drift')} |", flush=True)
+
+
+def resting():
+    print("| | particles per radius | mean pressure | spurious capillary number, second half | circularity | centre |\n" + "|---" * 6 + "|")
+    for n in (20, 40):
+        if n > finest:
+            continue
+        run = Run(f"resting 2D {n}", "static-drop", {"dimension": 2, "initial.pressure": 70, "particles.spacing": 1e-3 / n, "time.end": 0.378,
+                                                     "output.frames": "false", "output.series_every": 1e-3})
+        print(f"| 2D | {n} | {run.error('laplace_pressure')} | {run.value('spurious_capillary_number')} "
+              f"| {run.error('circularity_final')} | {run.value('centre_drift')} |", flush=True)
+
+
+def space():
+    projection = {"method.scheme": "projection", "initial.pressure": 0, "method.compact_share": 0.02, "time.end": 0.0262}
+    print("| scheme, 3D | particles per radius | period | damping rate | centre | momentum | steps |\n" + "|---" * 7 + "|")
+    for scheme, changes in {"projection": projection, "weakly compressible": {"time.end": 0.027}}.items():
+        for n in (10, 14, 20):
+            if n > finest:
+                continue
+            run = Run(f"{scheme} 3D {n}", "oscillating-drop-3d", {**changes, "particles.spacing": 1e-3 / n, "output.frames": "false"})
+            print(f"| {scheme} | {n} | {run.error('period')} | {run.error('damping_rate')} | {run.value('centre_drift')} "
+                  f"| {run.value('momentum_drift')} | {run.summary['steps']} |", flush=True)
+
+
+TABLES = {table.__name__: table for table in (oscillating, flying, large, resting, space)}
+for name in [word for word in sys.argv[1:] if word in TABLES] or TABLES:
+    TABLES[name]()
