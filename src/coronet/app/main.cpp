@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "coronet/app/bench.hpp"
+#include "coronet/app/measures.hpp"
 #include "coronet/app/plot.hpp"
 #include "coronet/cases/builtin.hpp"
 #include "coronet/cases/nearest.hpp"
@@ -86,6 +87,7 @@ int run(std::string const& name, std::vector<std::string> const& settings, RunOp
     if (options.directory.empty()) options.directory = std::filesystem::path("runs") / c.name;
     set_threads(thread_count);
     RunStatus const status = run_case(c, options);
+    if (!options.quiet) fmt::print(stderr, "{}", measures_of(options.directory));
     fmt::print("{}\n", options.directory.string());
     return status == RunStatus::done ? done : interrupted_run;
 }
@@ -119,7 +121,7 @@ int start(int argc, char** argv) {
     run_command->add_option("--out", directory, "where to write (default runs/<case>)");
     run_command->add_flag("--overwrite", options.overwrite, "replace a run that is already there");
     run_command->add_option("--threads", thread_count, "how many (default: one per core)")->check(CLI::Range(1, 4096));
-    run_command->add_flag("--quiet", options.quiet, "show no progress");
+    run_command->add_flag("--quiet", options.quiet, "show neither progress nor measures");
     auto* const cases_command = app.add_subcommand("cases", "list the built-in cases");
     auto* const check_command = app.add_subcommand("check", "check a case without running it");
     add_case(check_command);

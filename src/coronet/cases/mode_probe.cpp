@@ -109,9 +109,10 @@ std::vector<Measure> ModeProbe<D>::measures() const {
     bool const enough = periods >= least_periods && static_cast<double>(times.size()) >= least_samples * periods;
     auto const fit = enough ? fit_oscillation(times, values, exact->angular_frequency) : std::nullopt;
     if (!fit) {
-        std::string const why =
-            fmt::format("not fitted: {} samples over {:.3g} periods after the first, {} and {} a period are needed; {}",
-                        times.size(), periods, least_periods, least_samples, theory);
+        std::string const why = fmt::format(
+            "not fitted: the run has {:.3g} periods after the first and {} samples in them, {} and {} a period are "
+            "needed; {}",
+            periods, times.size(), least_periods, least_samples, theory);
         return {{"period", none, period, {}, why}, {"damping_rate", none, exact->damping, {}, why}};
     }
     double const found = 2 * std::numbers::pi / fit->angular_frequency;
