@@ -38,10 +38,15 @@ START = {"probes.0.flow": "from-rest", "time.settled": 0, "time.end": 1}
 COUETTE = {"parameters.force": 0, "parameters.upper": 1, "fluid.sound_speed": 10}
 
 
+def has_ended(directory):
+    summary = directory / "summary.json"
+    return summary.exists() and json.loads(summary.read_text())["status"] == "done"
+
+
 def run(name, settings):
     """The directory of a run of the case channel with some keys changed."""
     directory = RUNS / name.replace(", ", "-").replace(" ", "-")
-    if not (keep and (directory / "summary.json").exists()):
+    if not (keep and has_ended(directory)):
         words = [CORONET, "run", "channel", "--quiet", "--out", str(directory), "--overwrite"]
         for key, value in settings.items():
             words += ["--set", f"{key}={value}"]

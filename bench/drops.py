@@ -33,10 +33,15 @@ SCHEMES = {"projection": {},
            "weakly compressible": {"method.scheme": "weakly-compressible", "initial.pressure": TENSION / RADIUS, "fluid.sound_speed": 15 * SPEED}}
 
 
+def has_ended(directory):
+    summary = directory / "summary.json"
+    return summary.exists() and json.loads(summary.read_text())["status"] == "done"
+
+
 class Run:
     def __init__(self, name, case, settings):
         self.directory = RUNS / name.replace(" ", "-")
-        if not (keep and (self.directory / "summary.json").exists()):
+        if not (keep and has_ended(self.directory)):
             words = [CORONET, "run", case, "--quiet", "--threads", "1", "--out", str(self.directory), "--overwrite"]
             for key, value in settings.items():
                 words += ["--set", f"{key}={value}"]

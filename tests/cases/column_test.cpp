@@ -80,11 +80,11 @@ TEST(ColumnMode, TendsToRayleighsRatesOfNoAndOfAllViscosity) {
 TEST(GrowthFit, FindsTheRateOfWhatStartedAtRestInNoise) {
     for (double const noise : {0.0, 1e-3}) {
         std::mt19937 engine(1);
-        std::normal_distribution<double> scatter(0, noise);
+        std::normal_distribution<double> scatter;
         std::vector<double> times, values;
         for (int k = 0; k < 60; ++k) {
             times.push_back(10 + 0.1 * k);
-            values.push_back(0.02 * std::cosh(0.6 * (times.back() - 9)) + scatter(engine));
+            values.push_back(0.02 * std::cosh(0.6 * (times.back() - 9)) + noise * scatter(engine));
         }
         auto const fit = fit_growth(times, values, 0.5);
         ASSERT_TRUE(fit.has_value());
@@ -123,6 +123,30 @@ TEST(ColumnProbe, SeesTheWaveAndNoOtherAndTheNeck) {
             EXPECT_NEAR(row[1], 0.98, 0.03);
         }
     }
+}
+
+TEST(Column, CutFromALatticeHoldsItsAxis) {
+    auto const c = read_case(
+        "name = 'column'\ndimension = 3\n[[shapes]]\nkind = 'column'\nradius = 0.35\nlength = 1.9\n"
+        "[domain]\nperiodic = 'x'\nsize = [1.9, 2, 2]\n[particles]\nspacing = 0.1\n[fluid]\ndensity = 1\n"
+        "sound_speed = 1\n[time]\nend = 1\n",
+        "column");
+    std::size_t across = 0;  // of a row of the lattice
+    for (int y = -3; y <= 3; ++y)
+        for (int z = -3; z <= 3; ++z) across += y * y + z * z <= 12;
+    EXPECT_EQ(fill<3>(c).size(), 19 * across);
+}
+
+TEST(ColumnProbe, SaysThatShortWavesAreStable) {
+    auto const c = column(0.01, 8);  // k R = 5.6
+    ProbeKeys keys;
+    keys.waves = 8;
+    ColumnProbe probe(keys, c);
+    probe.sample({0, particles_of(c), c});
+    auto const growth = by_name(probe.measures()).at("growth_rate");
+    EXPECT_TRUE(std::isnan(growth.value));
+    EXPECT_FALSE(growth.reference.has_value());
+    EXPECT_NE(growth.source.find("stable; k R = 5.585"), std::string::npos) << growth.source;
 }
 
 TEST(ColumnProbe, FindsTheGrowthRateAndWhenItBreaks) {

@@ -42,7 +42,7 @@ TEST(CentralViscosity, OfALinearFlowDissipatesAsTheStressDoes) {
                 double const r2 = x * x + y * y + z * z, r = std::sqrt(r2), s = 1 - r / H;
                 if (r2 == 0 || s <= 0) continue;
                 ij.x = {{-1.0 * x, -1.0 * y, -1.0 * z}};  // x_i - x_j
-                ij.r2 = r2, ij.soft = 1 / r2;
+                ij.r2 = r2;
                 double const W0 = 21 / (2 * std::numbers::pi * H * H * H);  // Wendland C2: (1 - q)^4 (1 + 4 q)
                 ij.F = W0 * -20 / (H * H) * s * s * s;
                 for (int a = 0; a < 3; ++a) ij.j.v[a] = A[a][0] * x + A[a][1] * y + A[a][2] * z;

@@ -10,14 +10,16 @@ namespace coronet {
 
 std::string measures_of(std::filesystem::path const& directory) {
     std::ifstream file(directory / "summary.json");
-    auto const summary = nlohmann::ordered_json::parse(file);
+    auto const summary = nlohmann::ordered_json::parse(file, nullptr, false);
+    if (summary.is_discarded()) return "summary.json cannot be read back\n";
     std::string lines;
     auto const number = [](nlohmann::ordered_json const& measure, char const* name) {
-        return measure.contains(name) && measure[name].is_number() ? fmt::format("{:.6g}", measure[name].get<double>())
-                                                                   : std::string();
+        return measure.contains(name) && measure.at(name).is_number()
+                   ? fmt::format("{:.6g}", measure.at(name).get<double>())
+                   : std::string();
     };
     for (auto const& [name, measure] : summary.at("measures").items()) {
-        if (measure["value"].is_null()) {
+        if (measure.at("value").is_null()) {
             lines += fmt::format("{:<28} {}\n", name, measure.value("source", "not measured"));
             continue;
         }

@@ -186,7 +186,9 @@ void check_probes(Case const& c, Errors& errors) {
                 "probes.{}: a column along x breaks up by surface tension and goes on at both ends: set "
                 "fluid.surface_tension, and domain.periodic = 'x'",
                 k);
-        if ((probe.kind == "drop" || probe.kind == "mode" || probe.kind == "static-drop") && periodic_box<D>(c).any())
+        bool const is_of_free_liquid =
+            probe.kind == "drop" || probe.kind == "mode" || probe.kind == "static-drop" || probe.kind == "pieces";
+        if (is_of_free_liquid && periodic_box<D>(c).any())
             say(errors, "probes.{}: a probe of kind {} sees no liquid across domain.periodic", k, probe.kind);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);

@@ -84,13 +84,21 @@ Measure ColumnProbe::growth_rate() const {
             times.push_back(time_[n]);
             values.push_back(amplitude_[n]);
         }
+    if (!(k_ * radius_ < 1))
+        return {"growth_rate",
+                std::numeric_limits<double>::quiet_NaN(),
+                {},
+                {},
+                fmt::format("not fitted: waves shorter than the circumference are stable; k R = {:.4g}", k_ * radius_)};
     auto const fit = fit_growth(times, values, exact);
     if (!fit)
         return {"growth_rate",
                 std::numeric_limits<double>::quiet_NaN(),
                 exact,
                 {},
-                fmt::format("not fitted: {} samples between {} times the first amplitude and {}, {} are needed; {}",
+                fmt::format("not fitted: {} samples between {} times the first amplitude and {}, of which {} are "
+                            "needed that grow at a "
+                            "third to three times the rate of theory; {}",
                             times.size(), least_growth, largest_wave, least_growth_samples, theory)};
     return {"growth_rate",
             fit->rate,

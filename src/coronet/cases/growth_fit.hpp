@@ -14,7 +14,7 @@ struct Growth {
     double rate, rate_error;  ///< s and its standard error [1/s]
 };
 
-/// Looks for s between a third of and three times `expected` [1/s]. Nothing where there are fewer than `least_samples`,
+/// Looks for s between a third of and three times `expected` [1/s]. Nothing where there are fewer than `least_growth_samples`,
 /// values are not finite, or s is at an end of that range.
 std::optional<Growth> fit_growth(std::vector<double> const& times, std::vector<double> const& values, double expected);
 inline constexpr std::size_t least_growth_samples = 8;

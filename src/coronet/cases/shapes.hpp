@@ -63,9 +63,10 @@ bool holds(Shape const& shape, Vector<double, D> const& x, double slack) {
     } else if (shape.kind == "drop") {
         inside = std::sqrt(norm2(y)) <= drop_radius(shape, y) + slack;
     } else if (shape.kind == "column") {
-        double const along = y[0] * y[0];
-        inside = std::fabs(y[0]) <= shape.length / 2 + slack &&
-                 std::sqrt(norm2(y) - along) <= column_radius(shape, y[0]) + slack;
+        double across2 = 0;
+        for (int k = 1; k < D; ++k) across2 += y[k] * y[k];
+        inside =
+            std::fabs(y[0]) <= shape.length / 2 + slack && std::sqrt(across2) <= column_radius(shape, y[0]) + slack;
     } else {
         double q = 0;
         for (int k = 0; k < D; ++k) q += std::pow(y[k] / (shape.semi_axes[k] + slack), 2);

@@ -8,6 +8,8 @@
 // dissipates as a stress does (A. Colagrossi et al., Phys. Rev. E 84 (2011) 026705), less what neighbours are missing
 // there. Equal and opposite and along x_ij, it conserves momentum and angular momentum, and only takes energy.
 //
+// r^2 counts as 1e-4 h^2 at least.
+//
 // Of what a gradient of velocity does not see, particles that move against their neighbours in turn, a stress resists
 // nothing. So a share of the viscosity may act in this way, the rest as stress.
 

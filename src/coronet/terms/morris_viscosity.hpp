@@ -59,7 +59,8 @@ struct CorrectedMorrisViscosity {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         R const along = dot(ij.x, (ij.i.L + ij.j.L) * ij.gradW) - ij.W * dot(ij.x, ij.i.q - ij.j.q);  // twice x . grad
-        R const inverse_square = 1.0 / largest(ij.r2, R(1e-4) * ij.h * ij.h);  // W x . q/r^2 is not finite where they meet
+        // W x . q/r^2 is not finite where particles meet.
+        R const inverse_square = 1.0 / largest(ij.r2, R(1e-4) * ij.h * ij.h);
         return give<gives>(ij, (R(eta) * (1.0 / ij.i.rho) * (ij.j.V * along * inverse_square)) * (ij.i.v - ij.j.v));
     }
 };
