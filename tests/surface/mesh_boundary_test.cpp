@@ -9,6 +9,7 @@
 #include <random>
 
 #include "coronet/core/error.hpp"
+#include "tests/surface/closed_mesh.hpp"
 
 namespace coronet {
 
@@ -87,16 +88,7 @@ TEST(SurfaceMesh, IsClosedWithEachTriangleTurnedOutwards) {
         Found const found(points);
         auto const& mesh = found.mesh;
         EXPECT_EQ(euler(mesh), 2);  // of a sphere
-        // Each side of a triangle is one of another, the other way.
-        std::vector<std::pair<Index, Index>> sides, reversed;
-        for (auto const& t : mesh.triangles)
-            for (std::size_t k = 0; k < 3; ++k) {
-                sides.emplace_back(t[k], t[(k + 1) % 3]);
-                reversed.emplace_back(t[(k + 1) % 3], t[k]);
-            }
-        std::sort(sides.begin(), sides.end());
-        std::sort(reversed.begin(), reversed.end());
-        EXPECT_EQ(sides, reversed);
+        expect_closed(mesh);
         EXPECT_GT(found.boundary.content[0], 0);
     }
 }

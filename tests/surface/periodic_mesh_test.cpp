@@ -10,6 +10,7 @@
 #include <random>
 
 #include "coronet/surface/mesh_boundary.hpp"
+#include "tests/surface/closed_mesh.hpp"
 
 namespace coronet {
 
@@ -63,15 +64,7 @@ TEST(PeriodicMesh, OfAColumnIsATorus) {
     for (double const jitter : {0.0, 0.3}) {
         auto const mesh = Found(column(4, jitter)).mesh;
         EXPECT_EQ(mesh.vertices(), mesh.triangles.size() / 2);  // V - E + F = 0
-        std::vector<std::pair<Index, Index>> sides, reversed;
-        for (auto const& t : mesh.triangles)
-            for (std::size_t k = 0; k < 3; ++k) {
-                sides.emplace_back(t[k], t[(k + 1) % 3]);
-                reversed.emplace_back(t[(k + 1) % 3], t[k]);
-            }
-        std::sort(sides.begin(), sides.end());
-        std::sort(reversed.begin(), reversed.end());
-        EXPECT_EQ(sides, reversed);
+        expect_closed(mesh);
         EXPECT_TRUE(std::ranges::all_of(mesh.parts(), [](Index part) { return part == 0; }));
     }
 }

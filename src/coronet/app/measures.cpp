@@ -26,7 +26,7 @@ std::string measures_of(std::filesystem::path const& directory) {
         lines += fmt::format("{:<28} {:>13} {:>13} {:>13}\n", name, number(measure, "value"),
                              number(measure, "reference"), number(measure, "error"));
     }
-    if (!lines.empty()) lines = fmt::format("{:<28} {:>13} {:>13} {:>13}\n", "", "value", "theory", "error") + lines;
+    if (!lines.empty()) lines = fmt::format("{:<28} {:>13} {:>13} {:>13}\n", "", "value", "reference", "error") + lines;
     return lines;
 }
 
