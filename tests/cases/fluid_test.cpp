@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "coronet/cases/read.hpp"
 #include "coronet/core/error.hpp"
@@ -149,8 +150,7 @@ protected:
         return text;
     }
 
-    fs::path folder = fs::temp_directory_path() /
-                      (std::string("coronet_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path folder = fs::temp_directory_path() / ("coronet_fluid_test." + std::to_string(getpid()));
 };
 
 TEST_F(FlowCurveOfACase, GivesTheParametersThatAreNotStated) {

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "coronet/core/error.hpp"
 
@@ -35,8 +36,7 @@ protected:
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
 
-    fs::path folder = fs::temp_directory_path() /
-                      (std::string("coronet_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path folder = fs::temp_directory_path() / ("coronet_csv_test." + std::to_string(getpid()));
 };
 
 TEST_F(CsvFile, IsReadWithItsNamesNumbersAndLines) {
