@@ -10,7 +10,7 @@
 
 namespace coronet {
 
-constexpr CentralViscosity viscosity{.share = 1, .viscosity = 0.3};
+constexpr CentralViscosity viscosity{.share = 1};
 
 TEST(CentralViscosity, IsEqualAndOppositeAlongThePairAndTakesEnergy) {
     for (auto const& ij : random_pairs<3, CentralViscosity>(1000)) {
@@ -26,6 +26,18 @@ TEST(CentralViscosity, IsEqualAndOppositeAlongThePairAndTakesEnergy) {
     }
 }
 
+TEST(CentralViscosity, IsTheHarmonicMeanOfBoth) {
+    auto ij = random_pairs<3, CentralViscosity>(1).front();
+    auto const size_with = [&](double mu_i, double mu_j) {
+        ij.i.mu = mu_i, ij.j.mu = mu_j;
+        return std::sqrt(norm2(viscosity(ij).dv));
+    };
+    double const even = size_with(0.3, 0.3);
+    EXPECT_NEAR(size_with(0.2, 0.6), even, 1e-14 * even);
+    EXPECT_EQ(size_with(0, 0.6), 0);
+    EXPECT_EQ(size_with(0, 0), 0);
+}
+
 TEST(CentralViscosity, OfALinearFlowDissipatesAsTheStressDoes) {
     // Around a particle on a lattice, of the velocity A x: half of sum_j f_ij . v_ij is 2 mu d : d, d the symmetric
     // part of A without divergence.
@@ -34,7 +46,7 @@ TEST(CentralViscosity, OfALinearFlowDissipatesAsTheStressDoes) {
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) expected += 2 * 0.3 * std::pow((A[a][b] + A[b][a]) / 2, 2);
     auto ij = random_pairs<3, CentralViscosity>(1).front();
-    ij.i.v = {}, ij.i.rho = 1, ij.j.V = 1;
+    ij.i.v = {}, ij.i.rho = 1, ij.j.V = 1, ij.i.mu = ij.j.mu = 0.3;
     double const H = 8;  // spacings, wide enough for a sum to be an integral
     for (int x = -8; x <= 8; ++x)
         for (int y = -8; y <= 8; ++y)

@@ -14,6 +14,7 @@
 #include "coronet/cases/keys.hpp"
 #include "coronet/materials/flow_curve.hpp"
 #include "coronet/schemes/pair_terms.hpp"
+#include "coronet/terms/central_viscosity.hpp"
 
 namespace coronet {
 
@@ -110,6 +111,7 @@ struct Case {
         std::string scheme = "weakly-compressible", gradient = "fpm", viscous_force = "stress",
                     kernel = "quintic-spline", precision = "double";
         double support = 3.9, skin = 0;
+        CentralViscosity central_viscosity;
         PairTerms pair_terms;
         std::string viscous_step = "explicit", pressure_operator = "consistent", pressure_kernel,
                     preconditioner = "multigrid";

@@ -348,12 +348,11 @@ void check(Case const& c, Errors& errors) {
             "particles "
             "by their new velocity: leave it away",
             c.time.position_update);
-    if (static_cast<CentralViscosity const&>(c.method.pair_terms).share > 0 &&
-        (c.fluid.rheology != "newtonian" || c.method.viscous_force != "stress" || c.method.viscous_step != "explicit" ||
-         !c.walls.empty()))
+    if (c.method.central_viscosity.active() && (c.method.gradient != "fpm" || c.method.viscous_force != "stress" ||
+                                                c.method.viscous_step != "explicit" || !c.walls.empty()))
         say(errors,
-            "method.central_share is for fluid.rheology = 'newtonian' with method.viscous_force = 'stress', "
-            "viscous_step = 'explicit' and no walls: leave it away");
+            "method.central_share is for method.gradient = 'fpm' with viscous_force = 'stress', viscous_step = "
+            "'explicit' and no walls: leave it away");
     check_shells(c, errors);
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     bool const fits =

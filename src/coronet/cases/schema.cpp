@@ -307,6 +307,7 @@ void describe(Keys& keys, Case& c) {
          .meaning = "of the pair sums: all in double; or pairs in float, with exact differences of position, and "
                     "everything that is kept in double"},
         m.precision, {"double", "mixed"});
+    m.central_viscosity.describe(keys);
     describe_terms(keys, m.pair_terms);
     describe_shifting(keys, c);
     describe_projection(keys, c);

@@ -132,15 +132,6 @@ Vector<double, D> gravity(Case const& c) {
     return g;
 }
 
-/// Gives a share of the viscosity from the stress to the force along pairs.
-void share_viscosity(Case const& c, Rheology& stress, PairTerms& terms) {
-    auto& central = static_cast<CentralViscosity&>(terms);
-    if (central.share == 0) return;
-    central.viscosity = central.share * stress.viscosity;
-    central.density = c.fluid.density;
-    stress.viscosity -= central.viscosity;
-}
-
 template <int D>
 std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     typename WeaklyCompressible<D>::Settings s;
@@ -160,8 +151,8 @@ std::unique_ptr<Scheme<D>> weakly_compressible(Case const& c) {
     s.courant = c.time.courant;
     s.equation_of_state = equation_of_state(c);
     s.liquid.rheology = rheology_of(c);
+    s.central_viscosity = c.method.central_viscosity;
     s.pair_terms = c.method.pair_terms;
-    share_viscosity(c, s.liquid.rheology, s.pair_terms);
     s.surface = surface_settings(c);
     s.gravity = gravity<D>(c);
     s.body_force = body_force<D>(c);
@@ -186,8 +177,8 @@ std::unique_ptr<Scheme<D>> incompressible(Case const& c) {
     s.liquid.rheology = rheology_of(c);
     s.density = c.fluid.density;
     s.sound_speed = c.fluid.sound_speed;
+    s.central_viscosity = c.method.central_viscosity;
     s.pair_terms = c.method.pair_terms;
-    share_viscosity(c, s.liquid.rheology, s.pair_terms);
     s.viscous_step =
         c.method.viscous_step == "implicit" ? Scheme::Viscous::implicit_step : Scheme::Viscous::explicit_step;
     s.pressure = c.method.pressure_operator == "thesis" ? Scheme::Operator::thesis : Scheme::Operator::consistent;

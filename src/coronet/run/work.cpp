@@ -34,7 +34,8 @@ Work operator*(double share, Work const& a) { return {share * a.operations, shar
 template <int D>
 Work work_per_evaluation(Case const& c, double neighbours, double exterior) {
     auto const& terms = c.method.pair_terms;
-    bool const with_terms = any_active(terms), plain = c.method.gradient == "sph";
+    auto const& central = c.method.central_viscosity;
+    bool const with_terms = central.active() || any_active(terms), plain = c.method.gradient == "sph";
     MorrisViscosity const viscosity{c.fluid.viscosity};
     using Rates = Fields<Acceleration, DensityRate>;
     if (plain && (c.method.viscous_force == "morris" || c.fluid.viscosity == 0))
@@ -47,9 +48,10 @@ Work work_per_evaluation(Case const& c, double neighbours, double exterior) {
     return (1 - corrected) * (of_sweep<D, Fields<DensityRate, Stress>>(c, neighbours, PlainGradients{}) +
                               (with_terms ? of_sweep<D, Forces>(c, neighbours, PlainForcesAndPairTerms{{}, terms})
                                           : of_sweep<D, Forces>(c, neighbours, PlainForces{}))) +
-           corrected * (of_sweep<D, ForForces>(c, neighbours, CorrectedGradients{}) +
-                        (with_terms ? of_sweep<D, Forces>(c, neighbours, CorrectedForcesAndPairTerms{{}, terms})
-                                    : of_sweep<D, Forces>(c, neighbours, CorrectedForces{})));
+           corrected *
+               (of_sweep<D, ForForces>(c, neighbours, CorrectedGradients{}) +
+                (with_terms ? of_sweep<D, Forces>(c, neighbours, CorrectedForcesAndPairTerms{{}, central, terms})
+                            : of_sweep<D, Forces>(c, neighbours, CorrectedForces{})));
 }
 
 template Work work_per_evaluation<2>(Case const&, double, double);

@@ -68,19 +68,21 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
                                VelocityBefore, Surface, Stress>{});
     bool const is_viscous = !settings_.liquid.is_inviscid();
     bool const implicit = settings_.viscous_step == Viscous::implicit_step;
-    if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
+    bool const between = settings_.central_viscosity.active() || any_active(settings_.pair_terms);
+    if (!settings_.liquid.is_newtonian() || (is_viscous && !implicit && between))
+        particles_.allocate(Fields<Viscosity>{});
     if (is_viscous && implicit) viscous_step_.emplace(settings_.kernel, settings_.liquid, settings_.solve);
     if (is_viscous && !implicit)
         particles_.allocate(Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
-    if (any_active(settings_.pair_terms)) particles_.allocate(Fields<SoundSpeed>{});
+    if (between) particles_.allocate(Fields<SoundSpeed>{});
     if (settings_.shift_range > 0) shift_.emplace(settings_.shift_range);
     auto const view = particles_.view();
     for_each(particles_.size(), [&](std::size_t i) {
         view.template at<Density>()[i] = settings_.density;
         view.template at<Volume>()[i] = view.template at<Mass>()[i] / settings_.density;
         view.template set<Acceleration>(i, settings_.gravity);  // what the first step is bounded by
-        if (any_active(settings_.pair_terms)) view.template at<SoundSpeed>()[i] = settings_.sound_speed;
-        if (!settings_.liquid.is_newtonian())  // until the shear rate is known, for the first step
+        if (between) view.template at<SoundSpeed>()[i] = settings_.sound_speed;
+        if (particles_.template has<Viscosity>())  // until the shear rate is known, for the first step
             view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
     });
 }
@@ -189,10 +191,11 @@ void Incompressible<D>::forces(double time) {
     auto const sweep_of = [&](auto const& part) {
         sweep(particles_, neighbours_, settings_.kernel, Precision::full, part);
     };
+    auto const& central = settings_.central_viscosity;
     if (viscous) {
         phases_.act("gradients", [&] {
             sweep_of(Part{neighbours_.all(), CorrectedGradients{},
-                          CorrectedClose{settings_.liquid, settings_.kernel.at_zero(), false}});
+                          CorrectedClose{settings_.liquid, settings_.kernel.at_zero(), false, 0, central.share}});
         });
         counters_.singular_now = static_cast<std::int64_t>(
             sum_over(particles_.owned(), 0.0, [&](std::size_t i) { return view.template at<FellBack>()[i]; }));
@@ -201,8 +204,8 @@ void Incompressible<D>::forces(double time) {
     phases_.act("forces", [&] {
         auto const& terms = settings_.pair_terms;
         CorrectedForceClose<D> const close{settings_.gravity};
-        if (viscous && any_active(terms))
-            sweep_of(Part{neighbours_.all(), CorrectedForcesAndPairTerms{{}, terms}, close});
+        if (viscous && (central.active() || any_active(terms)))
+            sweep_of(Part{neighbours_.all(), CorrectedForcesAndPairTerms{{}, central, terms}, close});
         else if (viscous) sweep_of(Part{neighbours_.all(), CorrectedForces{}, close});
         else if (any_active(terms))
             sweep_of(Part{neighbours_.all(), Sum<PairTerms>{terms}, PlainForceClose<D>{settings_.gravity}});

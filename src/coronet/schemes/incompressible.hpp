@@ -35,6 +35,7 @@
 #include "coronet/schemes/viscous_step.hpp"
 #include "coronet/surface/boundary_finder.hpp"
 #include "coronet/surface/tension.hpp"
+#include "coronet/terms/central_viscosity.hpp"
 
 namespace coronet {
 
@@ -48,8 +49,9 @@ public:
         Kernel kernel, pressure_kernel;  ///< of the same support
         double skin = 0;                 ///< [m]; 0: tuned
         GeneralisedNewtonian liquid;
-        double density = 1000;   ///< [kg/m^3]
-        double sound_speed = 0;  ///< [m/s], of artificial viscosity alone
+        double density = 1000;               ///< [kg/m^3]
+        double sound_speed = 0;              ///< [m/s], of artificial viscosity alone
+        CentralViscosity central_viscosity;  ///< in an explicit step
         PairTerms pair_terms;
         Viscous viscous_step = Viscous::explicit_step;
         Operator pressure = Operator::consistent;

@@ -5,6 +5,7 @@
 // sweep. Each costs a pair loop per dimension to compile; a test holds their number to a budget.
 
 #include "coronet/schemes/pair_terms.hpp"
+#include "coronet/terms/central_viscosity.hpp"
 #include "coronet/terms/continuity.hpp"
 #include "coronet/terms/corrected_pressure_gradient.hpp"
 #include "coronet/terms/density_slopes.hpp"
@@ -27,7 +28,9 @@ using WallCorrections = Sum<WallContinuity, WallContact>;
 using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;
 using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;
-using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, PairTerms>;
+
+// Either of the two may be idle.
+using CorrectedForcesAndPairTerms = Sum<CorrectedStressDivergence, CentralViscosity, PairTerms>;
 
 // Plain gradients and a viscosity that needs no velocity gradient: everything in one sweep.
 using PlainSweep = Sum<PressureGradient, MorrisViscosity, Continuity>;

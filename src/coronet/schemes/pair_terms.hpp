@@ -10,11 +10,10 @@
 
 #include "coronet/pairs/law.hpp"
 #include "coronet/terms/artificial_viscosity.hpp"
-#include "coronet/terms/central_viscosity.hpp"
 
 namespace coronet {
 
-using PairTerms = Sum<ArtificialViscosity, CentralViscosity>;
+using PairTerms = Sum<ArtificialViscosity>;
 
 /// Whether a pair term does something: it may say active() = false, without coefficients set.
 template <class Term>

@@ -69,12 +69,13 @@ CORONET_HD auto correction_of(At const& at, Sums const& sums, double kernel_at_z
 
 /// fpm, and the exterior of cph: the corrected gradient. Without pressure the stress is the viscous one alone. A
 /// particle that fell back to the plain gradient, which takes a rotation for a shear, has no viscous stress: so no
-/// stress has a torque.
+/// stress has a torque. Of the viscous stress, `central_share` does not act here but between particles.
 struct CorrectedClose {
     GeneralisedNewtonian liquid;
     double kernel_at_zero;
     bool with_pressure = true;
     double dt = 0;  ///< [s], of pressure_after()
+    double central_share = 0;
 
     template <class At, class Sums>
     CORONET_HD void operator()(At const& at, Sums const& sums) const {
@@ -85,11 +86,13 @@ struct CorrectedClose {
         auto const grad_v = correction.gradient(sums.v_slope, sums.v_jump);
         R const rate = -at.template get<Density>() * trace(grad_v);
         at.template set<DensityRate>(rate);
-        auto const sigma = stress(at, liquid, with_pressure ? pressure_after(dt, at, rate) : R(0), grad_v,
-                                  R(1) - correction.fell_back);
+        R const p = with_pressure ? pressure_after(dt, at, rate) : R(0);
+        auto const sigma = stress(at, liquid, p, grad_v, R(1) - correction.fell_back);
         at.template set<Stress>(sigma);
-        auto const T = product<R, D>(sigma, correction.L);
-        auto const s = sigma * correction.q;
+        auto acting = R(1 - central_share) * sigma;
+        unrolled<D>([&](int a) { acting(a, a) -= R(central_share) * p; });
+        auto const T = product<R, D>(acting, correction.L);
+        auto const s = acting * correction.q;
         set_corrected_stress(at, T, s);
         set_own_acceleration(at, T, s, sums);
         at.template set<FellBack>(correction.fell_back);

@@ -59,7 +59,7 @@ void find_wall_forces(Particles<D>& particles, Neighbours<D> const& neighbours,
                                                        per_V * view.template get<StressOffset>(w),
                                                        view.template get<Density>(w), sums.G0, sums.W0));
         });
-        sweep_walls(CorrectedForcesAndPairTerms{{}, terms}, [&](std::size_t w, auto const& sums) {
+        sweep_walls(CorrectedForcesAndPairTerms{{}, {}, terms}, [&](std::size_t w, auto const& sums) {
             double const mass = view.template get<Volume>(w) * view.template get<Density>(w);
             view.template set<WallForce>(w, mass * (sums.dv + view.template get<OwnAcceleration>(w)));
         });

@@ -35,7 +35,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
                                DensityRate, PositionBefore, VelocityBefore, DensityBefore>{});
     bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;
     if (!corrected_morris() && (!one_sweep() || is_symplectic)) particles_.allocate(Fields<Stress>{});
-    if (!settings_.liquid.is_newtonian()) particles_.allocate(Fields<Viscosity>{});
+    if (!settings_.liquid.is_newtonian() || corrected_between()) particles_.allocate(Fields<Viscosity>{});
     if (corrected_morris()) particles_.allocate(Fields<SlopeCorrection, ValueCorrection, FellBack>{});
     else if (settings_.gradient != Gradient::sph)
         particles_.allocate(Fields<CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
@@ -44,7 +44,7 @@ WeaklyCompressible<D>::WeaklyCompressible(Settings const& settings, Particles<D>
     auto const view = particles_.view();
     for_each(particles_.owned(), [&](std::size_t i) {  // what the first symplectic step is bounded by
         view.template set<Acceleration>(i, settings_.gravity);
-        if (!settings_.liquid.is_newtonian())
+        if (particles_.template has<Viscosity>())
             view.template at<Viscosity>()[i] = settings_.liquid.rheology.largest_viscosity();
     });
 }
@@ -259,7 +259,8 @@ void WeaklyCompressible<D>::look_ahead(double dt) {
 
 template <int D>
 void WeaklyCompressible<D>::gradients_and_stress(double dt, double shift) {
-    CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt};
+    CorrectedClose const corrected{settings_.liquid, settings_.kernel.at_zero(), true, dt,
+                                   settings_.central_viscosity.share};
     CorrectionClose const correction{corrected.kernel_at_zero, dt};
     auto const gradients_ending = [&](auto const& close) {
         if (shift > 0) shifting_.find(particles_, neighbours_, shift, &walls_, close);
@@ -298,6 +299,7 @@ void WeaklyCompressible<D>::refresh_images() {
     else if (corrected_morris()) images.refresh(particles_, Fields<SlopeCorrection, ValueCorrection>{});
     else if (settings_.gradient == Gradient::sph) images.refresh(particles_, Fields<Stress>{});
     else images.refresh(particles_, Fields<CorrectedStress, StressOffset>{});
+    if (corrected_between()) images.refresh(particles_, Fields<Viscosity>{});
 }
 
 template <int D>
@@ -325,7 +327,9 @@ void WeaklyCompressible<D>::forces() {
         sweep_parts(Part{neighbours_.all(), CorrectedPressureAndMorris{{}, viscosity, terms}, plain_close});
         return;
     }
-    if (any_active(terms)) forces_of(PlainForcesAndPairTerms{{}, terms}, CorrectedForcesAndPairTerms{{}, terms});
+    auto const& central = settings_.central_viscosity;
+    if (central.active() || any_active(terms))
+        forces_of(PlainForcesAndPairTerms{{}, terms}, CorrectedForcesAndPairTerms{{}, central, terms});
     else forces_of(PlainForces{}, CorrectedForces{});
 }
 
@@ -347,6 +351,14 @@ bool WeaklyCompressible<D>::variable_morris() const {
 template <int D>
 bool WeaklyCompressible<D>::corrected_morris() const {
     return settings_.gradient == Gradient::fpm && settings_.viscous_force == ViscousForce::morris;
+}
+
+/// Whether the law of corrected forces and pair terms is swept: for walls it is in any case.
+template <int D>
+bool WeaklyCompressible<D>::corrected_between() const {
+    return settings_.gradient != Gradient::sph && !corrected_morris() &&
+           (settings_.central_viscosity.active() || any_active(settings_.pair_terms) ||
+            particles_.count(Role::wall) > 0);
 }
 
 template <int D>

@@ -32,6 +32,7 @@
 #include "coronet/schemes/walls.hpp"
 #include "coronet/surface/boundary_finder.hpp"
 #include "coronet/surface/tension.hpp"
+#include "coronet/terms/central_viscosity.hpp"
 
 namespace coronet {
 
@@ -64,6 +65,7 @@ public:
         double courant = 0.25;                                           ///< safe factor on h/c
         EquationOfState equation_of_state;
         GeneralisedNewtonian liquid;
+        CentralViscosity central_viscosity;  ///< with fpm and viscous_force = stress
         PairTerms pair_terms;
         SurfaceSettings surface;
         ShiftingSettings shifting;
@@ -119,6 +121,7 @@ private:
     bool one_sweep() const;
     bool variable_morris() const;
     bool corrected_morris() const;
+    bool corrected_between() const;
     void rates_in_one_sweep();
 
     Settings settings_;

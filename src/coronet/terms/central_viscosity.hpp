@@ -2,13 +2,14 @@
 #pragma once
 
 // Viscosity along the line of two particles,
-//     dv_i/dt = 1/rho_i sum_j V_j 2 (D + 2) mu (v_ij . x_ij)/r^2 grad W_ij,
+//     dv_i/dt = 1/rho_i sum_j V_j 2 (D + 2) mu_ij (v_ij . x_ij)/r^2 grad W_ij,
 // after J. J. Monaghan and R. A. Gingold, J. Comput. Phys. 52 (1983) 374, with the coefficient of P. Espanol and M.
 // Revenga, Phys. Rev. E 67 (2003) 026705: inside a liquid it is mu (lap v + 2 grad div v). At a free surface it
 // dissipates as a stress does (A. Colagrossi et al., Phys. Rev. E 84 (2011) 026705), less what neighbours are missing
 // there. Equal and opposite and along x_ij, it conserves momentum and angular momentum, and only takes energy.
 //
-// r^2 counts as 1e-4 h^2 at least.
+// mu_ij is the harmonic mean of both viscosities, as in terms/morris_viscosity.hpp, and r^2 counts as 1e-4 h^2 at
+// least.
 //
 // Of what a gradient of velocity does not see, particles that move against their neighbours in turn, a stress resists
 // nothing. So a share of the viscosity may act in this way, the rest as stress.
@@ -18,11 +19,9 @@
 namespace coronet {
 
 struct CentralViscosity {
-    double share = 0;      ///< of the viscosity [-]
-    double viscosity = 0;  ///< mu: that share of it [Pa s]
-    double density = 1;    ///< of the liquid [kg/m^3], for the longest step
+    double share = 0;  ///< of the viscosity [-]; the rest is for the stress
 
-    using reads = Fields<Volume, Velocity>;
+    using reads = Fields<Volume, Velocity, Viscosity>;
     using own = Fields<Density>;
     using gives = Fields<Acceleration>;
 
@@ -37,15 +36,16 @@ struct CentralViscosity {
                     share);
     }
     bool active() const { return share > 0; }
-    double step_limit(double h, double /*c*/) const { return 0.125 * h * h * density / viscosity; }  // infinite without
 
     template <class P>
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         constexpr int D = decltype(ij.x)::size;
-        if (viscosity == 0) return give<gives>(ij, Vector<R, D>{});  // other terms do not wait for it
+        if (share == 0) return give<gives>(ij, Vector<R, D>{});  // other terms do not wait for it
         R const rate = dot(ij.i.v - ij.j.v, ij.x) / largest(ij.r2, R(1e-4) * ij.h * ij.h);
-        return give<gives>(ij, (R(2 * (D + 2) * viscosity) * (1.0 / ij.i.rho) * rate * (ij.j.V * ij.F)) * ij.x);
+        R const both = largest(ij.i.mu + ij.j.mu, R(1e-30));  // both may be none
+        R const mu = ij.i.mu * ij.j.mu / (both * ij.i.rho);
+        return give<gives>(ij, (R(4 * (D + 2) * share) * mu * rate * (ij.j.V * ij.F)) * ij.x);
     }
 };
 
