@@ -28,7 +28,7 @@ RUNS = ROOT / "runs" / "lobo2011"
 CORONET = os.environ.get("CORONET", str(ROOT / "build/release/coronet"))
 keep = "--keep" in sys.argv
 
-HELD = {"surface.tension_force": "curvature", "surface.coverage_radius": 1.2, "method.shifting": "none",
+HELD = {"surface.tension_force": "curvature", "surface.coverage_radius": 1.2, "method.shifting": "none", "method.central_share": 0,
         "method.pressure_operator": "thesis", "method.lattice_diagonal": "true", "method.preconditioner": "jacobi",
         "method.tolerance": 1e-6, "method.artificial_viscosity": 1e-4, "method.artificial_viscosity_beta": 0,
         "fluid.sound_speed": 120, "time.step": "auto", "time.end": 0.3, "output.every": 0.02}

@@ -2,6 +2,7 @@
 #include "coronet/run/run.hpp"
 
 #include <chrono>
+#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -70,6 +71,15 @@ std::string advice(Case const& c) {
     return text;
 }
 
+/// A step that the case has is taken as it is, known to be stable or not.
+void note_long_step(double step, StepLimit const& stable) {
+    if (step <= stable.step) return;
+    fmt::print(stderr,
+               "note: time.step = {:g} is longer than the {:.3g} s that {} would let \"auto\" take here: if the run "
+               "fails or its energy grows, make it shorter\n",
+               step, stable.step, stable.reason);
+}
+
 template <int D>
 RunStatus run(Case const& c, RunOptions const& options) {
     auto const start = std::chrono::steady_clock::now();
@@ -97,6 +107,7 @@ RunStatus run(Case const& c, RunOptions const& options) {
             progress.show(time, steps, last);
             if (last) break;
 
+            if (steps == 0 && c.time.step > 0 && !options.quiet) note_long_step(c.time.step, scheme->time_limit());
             StepLimit const limit = c.time.step > 0 ? StepLimit{c.time.step, "time.step"} : scheme->time_limit();
             if (!(limit.step > 1e-12 * c.time.end))
                 throw RunError(
