@@ -156,6 +156,48 @@ TEST(WallFill, LooksOutOfACornerOfTwoWallsThroughBoth) {
     EXPECT_GT(in_corner, 3u);
 }
 
+TEST(WallFill, LooksOutBesideAnObstacleOnTheFloor) {
+    // A block that stands on the floor: what is under it, or at its foot, looks out at its sides, and not into it.
+    auto const c =
+        tank(open_box + "[[walls]]\nkind = 'box'\nsolid = 'inside'\ncentre = [0.5, 0.2]\nsize = [0.4, 0.4]\n");
+    auto const walls = fill_walls<2>(c);
+    Solid<2> const solid(c);
+    std::size_t under = 0;
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+        auto const x = walls.position[k], mirror = x + walls.to_mirror[k];
+        EXPECT_FALSE(solid.holds(mirror)) << x[0] << ' ' << x[1];
+        EXPECT_GT(norm2(walls.to_mirror[k]), 0.01 * 0.01);
+        under += x[0] > 0.3 && x[0] < 0.7 && x[1] < 0;
+        if (std::fabs(x[0] - 0.35) < 1e-9 && std::fabs(x[1] - 0.05) < 1e-9) {  // its foot
+            EXPECT_NEAR(mirror[0], 0.25, 1e-9);
+            EXPECT_NEAR(mirror[1], 0.05, 1e-9);
+        }
+        if (std::fabs(x[0] - 0.35) < 1e-9 && std::fabs(x[1] + 0.05) < 1e-9) {  // below that, at the corner it makes
+            EXPECT_NEAR(mirror[0], 0.25, 1e-9);
+            EXPECT_NEAR(mirror[1], 0.05, 1e-9);
+        }
+    }
+    EXPECT_GT(under, 0u);
+}
+
+TEST(WallFill, LooksOutOfAPlateThatGoesOnAcrossAPeriod) {
+    auto const c = tank("[[walls]]\nkind = 'box'\nsolid = 'inside'\ncentre = [0.5, 0.5]\nsize = [1, 0.4]\n",
+                        "[domain]\nperiodic = 'x'\ncentre = [0.5, 0]\nsize = [1, 1]\n");
+    auto const walls = fill_walls<2>(c);
+    EXPECT_EQ(walls.size(), 40u);
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+        EXPECT_NEAR(walls.to_mirror[k][0], 0, 1e-9);
+        EXPECT_GT(std::fabs(walls.position[k][1] + walls.to_mirror[k][1] - 0.5), 0.2);
+    }
+}
+
+TEST(WallFill, KnowsThatNoWallMayBeAtRest) {
+    auto const moving = tank(open_box + "displacement = ['0.1*t', 0]\n");
+    EXPECT_FALSE(Solid<2>::at_rest(moving).holds({{-0.1, 0.5}}));
+    EXPECT_TRUE(Solid<2>(moving).holds({{-0.1, 0.5}}));
+    EXPECT_TRUE(Solid<2>::at_rest(tank(open_box)).holds({{-0.1, 0.5}}));
+}
+
 TEST(WallFill, LaysEveryPointOnceInAPeriodicBox) {
     auto const c = tank("[[walls]]\nkind = 'box'\ncentre = [0.5, 0.5]\nsize = [8, 1]\n",
                         "[domain]\nperiodic = 'x'\ncentre = [0.5, 0]\nsize = [1, 1]\n");

@@ -188,8 +188,9 @@ void check_probes(Case const& c, Errors& errors) {
                 k);
         bool const is_of_free_liquid =
             probe.kind == "drop" || probe.kind == "mode" || probe.kind == "static-drop" || probe.kind == "pieces";
-        if (is_of_free_liquid && periodic_box<D>(c).any())
+        if ((is_of_free_liquid || probe.kind == "patch") && periodic_box<D>(c).any())
             say(errors, "probes.{}: a probe of kind {} sees no liquid across domain.periodic", k, probe.kind);
+        if (probe.kind == "patch" && !c.walls.empty()) say(errors, "probes.{}: a patch is liquid without walls", k);
         if (probe.kind == "patch" && !std::isfinite(value(probe.angular_velocity)))
             say(errors, "probes.{}.angular_velocity = {} must be finite", k, probe.angular_velocity);
     }
@@ -243,10 +244,10 @@ void check_initial_state(Case const& c, Errors& errors) {
         say(errors, "initial.velocity = [{}] is not finite at every particle", fmt::join(c.initial.velocity, ", "));
     else if (c.method.scheme == "weakly-compressible" && fastest >= c.fluid.sound_speed)
         say(errors,
-            "fluid.sound_speed = {} m/s, but {} is up to {:.4g} m/s from its mean: the flow must "
+            "fluid.sound_speed = {} m/s, but {} is up to {:.4g} m/s{}: the flow must "
             "stay below the sound speed, at best a tenth of it; use {:.4g} m/s",
             c.fluid.sound_speed, c.initial.frame ? "the velocity of " + from : "initial.velocity", fastest,
-            10 * fastest);
+            c.walls.empty() ? " from its mean" : "", 10 * fastest);
     if (!state.density_is_possible)
         say(errors,
             "{} leaves no positive finite density at every particle with fluid.sound_speed = "
@@ -355,9 +356,9 @@ void check(Case const& c, Errors& errors) {
             "'explicit' and no walls: leave it away");
     check_shells(c, errors);
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
-    bool const fits =
-        c.fluid.surface_tension > 0 || c.method.shifting == "sun" || (thesis && c.surface.pressure != "free");
-    if (fits || (closed && c.method.shifting != "none")) {
+    bool const fits = (c.fluid.surface_tension > 0 && !on_boundary) || c.method.shifting == "sun" ||
+                      (thesis && c.surface.pressure != "free");
+    if (fits || on_boundary || (closed && c.method.shifting != "none")) {
         if (2 * c.surface.coverage_radius > c.method.support)
             say(errors,
                 "surface.coverage_radius = {} is above half of method.support = {}: neighbours are not known that far",

@@ -17,6 +17,7 @@ using Point = ClosedSurface::Point;
 
 constexpr int most_in_leaf = 4;
 constexpr double on_surface = 1e-12;   // over the extent of the surface: nearer, the way there has no direction
+constexpr double least_volume = 1e-9;  // of a surface, over that of the box around it
 constexpr double least_height = 1e-9;  // of a triangle, over its longest edge: below, rounding gives it its normal
 
 Point cross(Point const& a, Point const& b) {
@@ -123,6 +124,12 @@ void ClosedSurface::find_normals(Triangles const& triangles, std::string const& 
             if (triangles_[t][k] == ends[0] && triangles_[t][(k + 1) % 3] == ends[1])
                 edge_normals_[t][k] = triangle_normals_[t] + triangle_normals_[back->second[0]];
     }
+    auto const size = high_ - low_;
+    if (!(std::fabs(volume_) > least_volume * size[0] * size[1] * size[2]))
+        throw CaseError(
+            fmt::format("{}: the surface holds no volume: its sides lie on each other, or its pieces are seen from "
+                        "outside and from inside by turns",
+                        file));
     if (volume_ > 0) return;
     // Seen from inside: corners are in the other order all over.
     volume_ = -volume_;

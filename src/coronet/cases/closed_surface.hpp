@@ -4,8 +4,8 @@
 // A closed surface of triangles: how far any point is from it, on which side, and where. The nearest triangle is found
 // in a tree of boxes. On which side a point is, is what the sign of n . (x - nearest) says, with n the normal of what
 // the nearest point lies on: of the triangle, of an edge the sum of both, of a corner the sum weighted by the angles
-// (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243): exact for any closed surface, and no ray can
-// graze anything.
+// (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243): exact for any closed surface whose pieces do
+// not meet, and no ray can graze anything.
 
 #include <array>
 #include <string>

@@ -26,11 +26,6 @@ constexpr Reference references[] = {
     {"dambreak_lobovsky2014_front_H600", "lobovsky_600", "Lobovsky et al. (2014), H = 0.6 m", 1},
     {"dambreak_lobovsky2014_front_H300", "lobovsky_300", "Lobovsky et al. (2014), H = 0.3 m", 0.5}};
 
-Solid<2> at_rest(Case const& c) {
-    auto const one = std::find_if_not(c.walls.begin(), c.walls.end(), moves);
-    return Solid<2>(c, one == c.walls.end() ? nullptr : &*one);
-}
-
 std::vector<Reference> references_of(double height_over_width) {
     std::vector<Reference> found;
     for (Reference const& reference : references)
@@ -49,7 +44,7 @@ Vector<double, 2> lower_corner(Case const& c) {
 }
 
 DamBreakProbe::DamBreakProbe(ProbeKeys const& keys, Case const& c)
-    : solid_(at_rest(c)),
+    : solid_(Solid<2>::at_rest(c)),
       gravity_(-c.fluid.gravity[1]),
       height_(Formula(keys.depth, c.parameters)(Vector<double, 2>{}, 0)),
       width_(Formula(keys.width, c.parameters)(Vector<double, 2>{}, 0)),
@@ -96,7 +91,7 @@ std::vector<Measure> DamBreakProbe::measures() const {
                         source + "; by how much its t sqrt(2 g/W) would have to be late to fit best"});
         list.push_back({"front_error_late_" + name, after, 0.0, after,
                         source + "; the largest of relative differences if it is late by that"});
-        if (!(std::fabs(largest) <= worst)) worst = std::fabs(largest);
+        if (!std::isnan(worst) && !(std::fabs(largest) <= worst)) worst = std::fabs(largest);  // not known once, never
     }
     if (!list.empty())
         list.push_back({"front_error", worst, 0.0, worst, "the largest of those, none taken to be late"});

@@ -10,7 +10,9 @@ namespace coronet {
 
 template <int D>
 HydrostaticProbe<D>::HydrostaticProbe(ProbeKeys const& keys, Case const& c)
-    : solid_(c), density_(c.fluid.density), depth_(Formula(keys.depth, c.parameters)(Vector<double, D>{}, 0)) {
+    : solid_(Solid<D>::at_rest(c)),
+      density_(c.fluid.density),
+      depth_(Formula(keys.depth, c.parameters)(Vector<double, D>{}, 0)) {
     for (int k = 0; k < D; ++k) up_[k] = -c.fluid.gravity[k];
     g_ = std::sqrt(norm2(up_));
     up_ = (1 / g_) * up_;

@@ -91,8 +91,9 @@ InitialState<D> initial_state(Case const& c, Seeds<D> const& seeds, WallSeeds<D>
         with_walls.template set<WallNumber>(w, static_cast<double>(walls.wall[k]));
         with_walls.template set<Mass>(w, c.fluid.density * seeds.volume);
     }
+    // Walls, which are as they are, make a common velocity one that counts.
     auto const mean =
-        (1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1))) *
+        (c.walls.empty() ? 1.0 / static_cast<double>(std::max<std::size_t>(seeds.size(), 1)) : 0.0) *
         sum_over(seeds.size(), Vector<double, D>{}, [&](std::size_t i) { return view.template get<Velocity>(i); });
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         double const speed2 = norm2(view.template get<Velocity>(i) - mean);

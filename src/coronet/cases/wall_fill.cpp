@@ -5,15 +5,9 @@
 #include <set>
 
 #include "coronet/cases/lattice.hpp"
+#include "coronet/cases/wall_mirror.hpp"
 
 namespace coronet {
-
-namespace {
-
-// A mirror stands at least so far from its wall particle, in spacings, that the way there has a direction.
-constexpr double shortest_way = 0.1;
-
-}  // namespace
 
 template <int D>
 PeriodicBox<D> periodic_box(Case const& c) {
@@ -51,6 +45,13 @@ Solid<D>::Solid(Case const& c, Wall const* one) : walls_(c.walls), slack_(1e-9 *
         bool const with_it = one && (moves(*one) ? &walls_[k] == one : !moves(walls_[k]));
         if (!one || with_it) own_.push_back(k);
     }
+}
+
+template <int D>
+Solid<D> Solid<D>::at_rest(Case const& c) {
+    Solid solid(c);
+    std::erase_if(solid.own_, [&](std::size_t k) { return moves(c.walls[k]); });
+    return solid;
 }
 
 template <int D>
@@ -94,12 +95,10 @@ WallSeeds<D> fill_walls(Case const& c) {
             if (own.distance >= slack || own.distance < -reach) return;
             auto const first = solid.deepest(x);
             if (first.depth > reach || (!alone && c.walls.size() > 1 && !laid.insert(n).second)) return;
-            auto mirror = x;
-            auto at = first;
-            for (int k = 0; k < D && at.depth > -slack; ++k, at = solid.deepest(mirror))
-                mirror += 2 * std::max(at.depth, shortest_way * dx / 2) * at.normal;
+            auto const mirror = mirror_of(solid, box, x, dx, reach);
+            if (!mirror) return;
             seeds.position.push_back(x);
-            seeds.to_mirror.push_back(mirror - x);
+            seeds.to_mirror.push_back(*mirror - x);
             seeds.wall.push_back(first.wall);
         });
     }

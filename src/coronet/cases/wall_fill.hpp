@@ -2,9 +2,8 @@
 #pragma once
 
 // Lays wall particles on the lattice of the liquid: all points of the solid, the union of the case's walls, from which
-// liquid at the surface can be seen. The mirror of a point is found by reflecting it at the wall that it is deepest in,
-// until it is in none: in a corner of two walls twice. A wall that moves is a solid of its own, and those at rest are
-// another: particles and mirrors of each stay right wherever the others go.
+// liquid at the surface can be seen, each with its mirror (wall_mirror.hpp). A wall that moves is a solid of its own,
+// and those at rest are another: particles and mirrors of each stay right wherever the others go.
 
 #include <vector>
 
@@ -40,8 +39,11 @@ class Solid {
 public:
     /// Of all walls, or of those that move with `one`.
     explicit Solid(Case const& c, Wall const* one = nullptr);
+    /// Of the walls that do not move as a whole, which may be none.
+    static Solid at_rest(Case const& c);
 
     bool holds(Vector<double, D> const& x) const { return deepest(x).depth > -slack_; }
+    double slack() const { return slack_; }
 
     struct Depth {
         double depth = -1e300;  ///< below the surface of the wall in which x is deepest [m]
@@ -53,7 +55,7 @@ public:
 private:
     std::vector<Wall> const& walls_;
     std::vector<std::size_t> own_;  // which of them
-    double slack_;  // what is on the surface but for round-off is in the solid
+    double slack_;                  // what is on the surface but for round-off is in the solid
 };
 
 template <int D>

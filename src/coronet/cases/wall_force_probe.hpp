@@ -6,6 +6,7 @@
 
 #include "coronet/cases/probe.hpp"
 #include "coronet/cases/wall_motion.hpp"
+#include "coronet/neighbours/images.hpp"
 
 namespace coronet {
 
@@ -13,14 +14,15 @@ namespace coronet {
 std::size_t wall_named(std::string const& name, Case const& c);
 
 /// The force on wall number `wall` [N] and its torque about a point [N m]; per metre of depth in 2D. In 2D the torque
-/// is the third component.
+/// is the third component. With a box, of which walls that move cross the faces, levers are those to the nearest copy.
 template <int D>
 struct WallLoad {
     Vector<double, D> force;
     Vector<double, 3> torque;
 };
 template <int D>
-WallLoad<D> wall_load(Particles<D> const& particles, std::size_t wall, Vector<double, D> const& about);
+WallLoad<D> wall_load(Particles<D> const& particles, std::size_t wall, Vector<double, D> const& about,
+                      PeriodicBox<D> const& box = {});
 
 template <int D>
 class WallForceProbe final : public Probe<D> {
@@ -35,6 +37,7 @@ private:
     std::size_t wall_;
     Vector<double, D> centre_;
     WallMotion<D> motion_;
+    PeriodicBox<D> box_;  // if the wall moves
 };
 
 }  // namespace coronet

@@ -306,9 +306,8 @@ template <int D>
 void WeaklyCompressible<D>::forces() {
     refresh_images();
     if (variable_morris()) {
-        sweep_parts(Part{neighbours_.all(), PressureAndVariableMorris{{}, {}, settings_.pair_terms},
-                         PlainForceClose<D>{settings_.gravity}});
-        return;
+        return sweep_parts(Part{neighbours_.all(), PressureAndVariableMorris{{}, {}, settings_.pair_terms},
+                                PlainForceClose<D>{settings_.gravity}});
     }
     PlainForceClose<D> const plain_close{settings_.gravity};
     CorrectedForceClose<D> const corrected_close{settings_.gravity};
@@ -324,8 +323,7 @@ void WeaklyCompressible<D>::forces() {
     auto const& terms = settings_.pair_terms;
     if (corrected_morris()) {
         CorrectedMorrisViscosity const viscosity{settings_.liquid.rheology.viscosity};
-        sweep_parts(Part{neighbours_.all(), CorrectedPressureAndMorris{{}, viscosity, terms}, plain_close});
-        return;
+        return sweep_parts(Part{neighbours_.all(), CorrectedPressureAndMorris{{}, viscosity, terms}, plain_close});
     }
     auto const& central = settings_.central_viscosity;
     if (central.active() || any_active(terms))
@@ -373,6 +371,8 @@ void WeaklyCompressible<D>::rates_in_one_sweep() {
 template <int D>
 void WeaklyCompressible<D>::refresh() {
     update_state();
+    if (particles_.size() > particles_.owned())  // probes look beyond the faces, too
+        neighbours_.images().refresh(particles_, Fields<Velocity, Volume, Pressure, Density>{});
     if (particles_.count(Role::wall) == 0) return;
     if (settings_.stepping == Stepping::symplectic_euler) {  // what was evaluated last is a step old
         update_surroundings();
