@@ -118,6 +118,18 @@ TEST(Images, MoveWithTheirOriginals) {
         EXPECT_EQ(view.get<Velocity>(i)[0], static_cast<double>(particles.id[i]));
 }
 
+TEST(Images, HaveTheMassOfTheirOriginals) {
+    auto particles = scattered(300, 0);
+    particles.allocate(Fields<Mass>{});
+    for (std::size_t i = 0; i < particles.size(); ++i) particles.view().at<Mass>()[i] = 1.0 + static_cast<double>(i);
+    Neighbours<2> neighbours(support, 0, 0, unit_box());
+    neighbours.update(particles);
+    auto const view = particles.view();
+    ASSERT_GT(particles.size(), particles.owned());
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        EXPECT_EQ(view.at<Mass>()[i], 1.0 + static_cast<double>(particles.id[i]));
+}
+
 TEST(Images, ThatComeCloserMakeListsAnew) {
     // Two particles that meet through the edge alone.
     Particles<2> particles(2);

@@ -29,7 +29,8 @@ Shifted shifted(double jitter, Flow const& flow) {
         made.x.push_back(view.get<Position>(i));
         made.v.push_back(view.get<Velocity>(i));
     }
-    made.boundary = find_boundary(particles, made.body->neighbours, 1.2 * made.body->dx, made.body->dx);
+    made.boundary = find_boundary(particles, made.body->neighbours, 1.2 * made.body->dx, made.body->dx,
+                                  made.body->dx * made.body->dx);
     ConservingShift<2> shift(made.body->dx);
     shift.find(particles, made.body->neighbours);
     shift.apply(particles, made.body->neighbours, made.boundary);

@@ -91,6 +91,20 @@ TEST_P(CentralViscosityIn, LeavesTheStressThatFramesShowWhole) {
     EXPECT_GT(largest, 0.1);
 }
 
+TEST_P(CentralViscosityIn, LeavesThePressureInThatStressUnderTension) {
+    auto scheme = after(2, 1e-4, flow(GetParam(), "viscosity = 0.4\nsurface_tension = 1", 1));
+    if (GetParam() == std::string("weakly-compressible")) scheme->begin_step(2e-4);
+    auto const view = scheme->particles().view();
+    double largest = 0;
+    for (std::size_t i = 0; i < scheme->particles().owned(); ++i) {
+        double const p = view.template at<Pressure>()[i];
+        auto const sigma = view.template get<Stress>(i);
+        EXPECT_NEAR(sigma(0, 0) + sigma(1, 1), -2 * p, 1e-12 * (1 + std::abs(p)));
+        largest = std::max(largest, std::abs(p));
+    }
+    EXPECT_GT(largest, 0.01);
+}
+
 INSTANTIATE_TEST_SUITE_P(BothSchemes, CentralViscosityIn, testing::Values("weakly-compressible", "projection"),
                          [](auto const& info) {
                              return std::string(info.param) == "projection" ? "projection" : "sound";

@@ -204,6 +204,10 @@ TEST(MeshBoundary, TellsPiecesApart) {
         EXPECT_EQ(two.boundary.piece_of(i) == two.boundary.piece_of(0),
                   first == (two.particles.view().get<Position>(0)[0] < 10));
     }
+    // What has no triangles is a piece, too: one particle, and a row of three.
+    auto sprayed = ball(4, 0, 1);
+    sprayed.insert(sprayed.end(), {{{9, 0, 0}}, {{0, 9, 0}}, {{0, 10, 0}}, {{0, 11, 0}}});
+    EXPECT_EQ(Found(sprayed).boundary.pieces, 3u);
     Points hollow;
     for (auto const& x : ball(6, 0, 1))
         if (norm2(x) > 6.5) hollow.push_back(x);

@@ -20,6 +20,12 @@ TEST(ArtificialViscosity, IsEqualAndOpposite) {
     }
 }
 
+TEST(ArtificialViscosity, IsIdleWithoutCoefficients) {
+    ArtificialViscosity const none;
+    EXPECT_FALSE(none.active());
+    for (auto const& ij : random_pairs<3, ArtificialViscosity>(10)) EXPECT_EQ(norm2(none(ij).dv), 0);
+}
+
 TEST(ArtificialViscosity, PointsAlongThePairSoItHasNoTorque) {
     for (auto const& ij : random_pairs<2, ArtificialViscosity>(1000)) {
         auto const dv = viscosity(ij).dv;

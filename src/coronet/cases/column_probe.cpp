@@ -37,7 +37,8 @@ std::vector<double> ColumnProbe::sample(Snapshot<3> const& now) {
     if (time_.empty()) {
         mass_ = total.mass;
         momentum_ = total.momentum;
-        radius_ = std::sqrt(mass_ / (case_.fluid.density * pi * length_));
+        radius_ = std::sqrt(total.volume / (pi * length_));
+        density_ = mass_ / total.volume;  // under the pressure of tension
     }
     momentum_drift_ = std::max(momentum_drift_, std::sqrt(norm2(total.momentum - momentum_)));
     time_.push_back(now.time);
@@ -68,16 +69,16 @@ double ColumnProbe::neck_of(Particles<3> const& particles) const {
         auto const slice = static_cast<std::size_t>(slices * (periods - std::floor(periods)));
         mass[std::min(slice, mass.size() - 1)] += particles.view().get<Mass>(i);
     }
-    return std::sqrt(*std::ranges::min_element(mass) * slices / (case_.fluid.density * pi * length_));
+    return std::sqrt(*std::ranges::min_element(mass) * slices / (density_ * pi * length_));
 }
 
 Measure ColumnProbe::growth_rate() const {
     auto const& fluid = case_.fluid;
     double const mu = rheology_of(case_).viscosity_at(0),
-                 exact = column_growth_rate(k_, radius_, fluid.density, fluid.surface_tension, mu);
+                 exact = column_growth_rate(k_, radius_, density_, fluid.surface_tension, mu);
     std::string const theory =
         fmt::format("exact viscous mode of small amplitude on a column, k R = {:.4g}, Ohnesorge number {:.4g}",
-                    k_ * radius_, mu / std::sqrt(fluid.density * fluid.surface_tension * radius_));
+                    k_ * radius_, mu / std::sqrt(density_ * fluid.surface_tension * radius_));
     std::vector<double> times, values;
     for (std::size_t n = 0; n < time_.size() && amplitude_[n] <= largest_wave; ++n)
         if (amplitude_[n] >= least_growth * amplitude_[0]) {
@@ -111,7 +112,7 @@ Measure ColumnProbe::growth_rate() const {
 
 std::vector<Measure> ColumnProbe::measures() const {
     if (time_.empty()) return {};
-    double const speed = std::sqrt(case_.fluid.surface_tension / (case_.fluid.density * radius_)),
+    double const speed = std::sqrt(case_.fluid.surface_tension / (density_ * radius_)),
                  drift = momentum_drift_ / (mass_ * speed);
     std::vector<Measure> measures{growth_rate()};
     measures.push_back({"breaks_at",
@@ -119,8 +120,9 @@ std::vector<Measure> ColumnProbe::measures() const {
                         {},
                         {},
                         broken_ ? "the first sample with a slice that holds nothing [s]" : "it has not broken"});
-    measures.push_back({"momentum_drift", drift, 0.0, drift,
-                        "conservation; largest of all samples, over mass times sqrt(sigma/(rho R))"});
+    std::string const over = "largest of all samples, over mass times sqrt(sigma/(rho R))";
+    if (no_outer_force(case_)) measures.push_back({"momentum_drift", drift, 0.0, drift, "conservation; " + over});
+    else measures.push_back({"momentum_drift", drift, {}, {}, "by the outer force, too; " + over});
     ledger_.add_measures(measures);
     return measures;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "coronet/cases/lattice.hpp"
 #include "coronet/cases/nearest_neighbour.hpp"
 #include "coronet/surface/boundary.hpp"
 
@@ -40,7 +41,7 @@ DropOutline drop_outline(Particles<2> const& particles, Case const& c) {
     for (Index const i : outline.loops[static_cast<std::size_t>(outline.largest())].particles)
         drop.line.push_back(points.view().get<Position>(static_cast<std::size_t>(i)));
     bool const is_boundary = c.fluid.surface_tension > 0 && c.surface.tension_force == "boundary";
-    drop.line = is_boundary ? boundary_corners(drop.line, dx) : moved_out(drop.line, dx / 2);
+    drop.line = is_boundary ? boundary_corners(drop.line, dx, Lattice<2>(c).volume()) : moved_out(drop.line, dx / 2);
     auto const measures = measure(drop.line);
     drop.area = measures.area;
     drop.surface_particles = outline.particles;

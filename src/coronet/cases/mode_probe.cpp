@@ -33,14 +33,18 @@ std::complex<double> ModeProbe<D>::amplitude_of(Snapshot<D> const& now) const {
         auto const x = turned((1 / radius_) * (view.template get<Position>(i) - centre), -turn);
         return view.template get<Mass>(i) * solid_harmonic(n_, x).value;
     });
-    return (2 * n_ + 1) / (4 * std::numbers::pi) * moment / (case_.fluid.density * std::pow(radius_, 3));
+    return (2 * n_ + 1) / (4 * std::numbers::pi) * moment / (density_ * std::pow(radius_, 3));
 }
 
 template <int D>
 std::vector<double> ModeProbe<D>::sample(Snapshot<D> const& now) {
     bool const first = time_.empty();
     double const unit = D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
-    if (first) radius_ = std::pow(totals(now.particles).mass / (unit * case_.fluid.density), 1.0 / D);
+    if (first) {
+        auto const total = totals(now.particles);
+        radius_ = std::pow(total.volume / unit, 1.0 / D);
+        density_ = total.mass / total.volume;  // under the pressure of tension
+    }
     auto const amplitude = amplitude_of(now);
     if (first && std::abs(amplitude) > least_amplitude) phase_ = amplitude / std::abs(amplitude);
     auto const along = amplitude * std::conj(phase_);
@@ -85,14 +89,13 @@ template <int D>
 std::vector<Measure> ModeProbe<D>::measures() const {
     if (time_.empty()) return {};
     auto const& fluid = case_.fluid;
-    auto const inviscid = drop_mode(D, n_, radius_, fluid.density, fluid.surface_tension, 0);
+    auto const inviscid = drop_mode(D, n_, radius_, density_, fluid.surface_tension, 0);
     double const mu = viscosity_of_the_flow(time_.front() + 2 * std::numbers::pi / inviscid->angular_frequency);
     std::string const liquid =
         fluid.rheology == "newtonian" ? "" : fmt::format(", with the viscosity {:.4g} Pa s that dissipated", mu);
-    std::string const theory =
-        fmt::format("exact viscous mode {} of small amplitude in {}D, Ohnesorge number {:.4g}{}", n_, D,
-                    mu / std::sqrt(fluid.density * fluid.surface_tension * radius_), liquid);
-    auto const exact = drop_mode(D, n_, radius_, fluid.density, fluid.surface_tension, mu);
+    std::string const theory = fmt::format("exact viscous mode {} of small amplitude in {}D, Ohnesorge number {:.4g}{}",
+                                           n_, D, mu / std::sqrt(density_ * fluid.surface_tension * radius_), liquid);
+    auto const exact = drop_mode(D, n_, radius_, density_, fluid.surface_tension, mu);
     double const none = std::numeric_limits<double>::quiet_NaN();
     if (!exact) {
         std::string const why = "not fitted: it does not oscillate; " + theory;

@@ -2,7 +2,7 @@
 #pragma once
 
 // One mode of the shape of a drop. In 2D, r = R (1 + a cos(n (theta - theta0))), by projection of the line around it
-// (drop_outline.hpp) about its centroid; R from mass and density. The amplitude is a complex number,
+// (drop_outline.hpp) about its centroid; R from the volume. The amplitude is a complex number,
 // a exp(-i n theta0); it is shown along its first value, so that what oscillates is `mode_amplitude`, and what turns or
 // is noise is `mode_amplitude_imaginary`. In 3D, r = R (1 + a P_n(cos theta)), theta from the x axis of the first
 // shape: to first order in a the sum over particles of the volume m/rho0 times the solid harmonic r^n P_n
@@ -39,7 +39,7 @@ private:
 
     Case const& case_;
     int n_;
-    double radius_ = 0;                 // [m]
+    double radius_ = 0, density_ = 0;   // at the start [m], [kg/m^3]
     std::complex<double> phase_ = 1;    // of the first amplitude
     std::vector<double> time_, value_;  // of all samples,
     std::vector<Shear> shear_;          // too

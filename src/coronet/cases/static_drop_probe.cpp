@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -12,11 +13,20 @@
 
 namespace coronet {
 
+namespace {
+
+/// Of a round drop of that volume [m].
+template <int D>
+double radius_of(double volume) {
+    return std::pow(volume / (D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3), 1.0 / D);
+}
+
+}  // namespace
+
 template <int D>
 std::vector<double> StaticDropProbe<D>::sample(Snapshot<D> const& now) {
     auto const total = totals(now.particles);
-    double const unit = D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
-    if (pressure_.empty()) radius_ = std::pow(total.mass / (unit * case_.fluid.density), 1.0 / D);
+    if (pressure_.empty()) radius_ = radius_of<D>(total.volume);
     auto const view = now.particles.view();
     auto const centre = total.centre(), drift = (1 / total.mass) * total.momentum;
     double pressure = 0, volume = 0, fastest2 = 0;
@@ -29,6 +39,7 @@ std::vector<double> StaticDropProbe<D>::sample(Snapshot<D> const& now) {
     }
     pressure_.push_back(volume > 0 ? pressure / volume : 0);
     speed_.push_back(std::sqrt(fastest2));
+    volume_.push_back(total.volume);
     return {pressure_.back(), speed_.back()};
 }
 
@@ -36,11 +47,12 @@ template <int D>
 std::vector<Measure> StaticDropProbe<D>::measures() const {
     if (pressure_.empty()) return {};
     auto const half = static_cast<std::ptrdiff_t>(pressure_.size() / 2);
-    double sum = 0;
-    for (auto p = pressure_.begin() + half; p != pressure_.end(); ++p) sum += *p;
-    double const pressure = sum / static_cast<double>(pressure_.end() - pressure_.begin() - half),
-                 sigma = case_.fluid.surface_tension, laplace = (D - 1) * sigma / radius_,
-                 mu = rheology_of(case_).viscosity_at(0),
+    auto const mean = [&](std::vector<double> const& all) {
+        return std::accumulate(all.begin() + half, all.end(), 0.0) /
+               static_cast<double>(all.end() - all.begin() - half);
+    };
+    double const pressure = mean(pressure_), R = radius_of<D>(mean(volume_)), sigma = case_.fluid.surface_tension,
+                 laplace = (D - 1) * sigma / R, mu = rheology_of(case_).viscosity_at(0),
                  capillary = mu * *std::max_element(speed_.begin() + half, speed_.end()) / sigma;
     std::string const when = "over the second half of the samples";
     return {
@@ -48,7 +60,7 @@ std::vector<Measure> StaticDropProbe<D>::measures() const {
          fmt::format("Laplace's {} sigma/R; the mean within half the radius, {}; the error is relative", D - 1, when)},
         {"spurious_capillary_number", capillary, 0.0, capillary,
          fmt::format("a drop at rest; mu v/sigma of the fastest particle, largest {}, Ohnesorge number {:.4g}", when,
-                     mu / std::sqrt(case_.fluid.density * sigma * radius_))}};
+                     mu / std::sqrt(case_.fluid.density * sigma * R))}};
 }
 
 template class StaticDropProbe<2>;

@@ -19,8 +19,8 @@ public:
 
 private:
     Case const& case_;
-    double radius_ = 0;                     // [m], from mass and density
-    std::vector<double> pressure_, speed_;  // of all samples
+    double radius_ = 0;                              // at the start [m], from the volume
+    std::vector<double> pressure_, speed_, volume_;  // of all samples
 };
 
 }  // namespace coronet

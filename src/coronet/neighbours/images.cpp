@@ -51,6 +51,7 @@ void Images<D>::remake(Particles<D>& particles, double reach) {
     std::size_t const first = particles.begin(Role::liquid_image);
     for (std::size_t k = 0; k < all; ++k) particles.id[first + k] = particles.id[source_[k]];
     refresh(particles, Fields<Position>{});
+    if (particles.template has<Mass>()) refresh(particles, Fields<Mass>{});
 }
 
 template <int D>

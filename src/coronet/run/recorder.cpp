@@ -21,7 +21,7 @@ namespace {
 
 /// The fields a reader of a frame looks for, under the names VTK's users would give them.
 template <int D>
-std::vector<FrameField> frame_fields(Particles<D> const& particles) {
+std::vector<FrameField> frame_fields(Particles<D> const& particles, bool is_newtonian) {
     constexpr std::array shown{Velocity::number, Acceleration::number, Density::number,  Pressure::number,
                                Mass::number,     Volume::number,       Stress::number,   Surface::number,
                                Exterior::number, FellBack::number,     Viscosity::number};
@@ -35,7 +35,7 @@ std::vector<FrameField> frame_fields(Particles<D> const& particles) {
         std::fill_n(fields.back().values.begin(), particles.owned(), 0.0);
     }
     for (std::size_t f = 0; f < shown.size(); ++f) {
-        if (!particles.has(shown[f])) continue;
+        if (!particles.has(shown[f]) || (is_newtonian && shown[f] == Viscosity::number)) continue;
         FieldInfo const& info = field_info[static_cast<std::size_t>(shown[f])];
         // ParaView wants three components of a vector and six of a symmetric tensor, in 2D too.
         int const components = info.rank == Rank::scalar ? 1 : info.rank == Rank::vector ? 3 : 6;
@@ -132,7 +132,7 @@ void Recorder<D>::frame(double time) {
         Frame frame{time,
                     std::vector<double>(3 * n),
                     {particles.id.begin(), particles.id.begin() + n},
-                    frame_fields(particles)};
+                    frame_fields(particles, case_.fluid.rheology == "newtonian")};
         for_each(n, [&](std::size_t i) {
             for (int k = 0; k < D; ++k) frame.points[3 * i + k] = view.template at<Position>(k)[i];
         });

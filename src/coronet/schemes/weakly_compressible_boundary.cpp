@@ -39,7 +39,7 @@ void WeaklyCompressible<D>::look_at_powers() {
 }
 
 /// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
-/// the particles differ in; the pressure is whole again.
+/// the particles differ in; pressure and stress are whole again.
 template <int D>
 void WeaklyCompressible<D>::act_on_boundary() {
     auto const view = particles_.view();
@@ -57,6 +57,11 @@ void WeaklyCompressible<D>::act_on_boundary() {
         view.template set<Acceleration>(
             i, view.template get<Acceleration>(i) + (mean_pressure_[k] / m[i]) * boundary_.of_content[i]);
         view.template at<Pressure>()[i] += mean_pressure_[k];
+        if (particles_.template has<Stress>()) {
+            auto sigma = view.template get<Stress>(i);
+            unrolled<D>([&](int a) { sigma(a, a) -= mean_pressure_[k]; });
+            view.template set<Stress>(i, sigma);
+        }
         rate[i] -= rho[i] * excess[k] / volume[k];
     });
 }

@@ -19,7 +19,8 @@ Vector2 left_of(Vector2 const& t) { return {{-t[1], t[0]}}; }
 /// The corners of the boundary for one loop of the outline, and how they follow its particles.
 class Corners {
 public:
-    Corners(std::vector<Vector2> points, double spacing) : x_(std::move(points)), n_(x_.size()), corners_(x_) {
+    Corners(std::vector<Vector2> points, double spacing, double volume)
+        : x_(std::move(points)), n_(x_.size()), corners_(x_) {
         for (std::size_t k = 0; k < n_; ++k) {
             auto const side = x_[at(k, 1)] - x_[k];
             length_.push_back(std::sqrt(norm2(side)));
@@ -36,7 +37,7 @@ public:
             // At the end of a thread the outline turns back, and there is no normal.
             bool const has_normal = chord_[k] > 0;
             normal_.push_back(has_normal ? (1 / chord_[k]) * right_of(chord) : Vector2{});
-            out_.push_back(has_normal ? spacing * spacing / (2 * spread_[k]) : 0);
+            out_.push_back(has_normal ? volume / (2 * spread_[k]) : 0);
             corners_[k] += out_[k] * normal_[k];
         }
     }
@@ -85,7 +86,7 @@ private:
 }  // namespace
 
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
-                          double spacing) {
+                          double spacing, double volume) {
     auto const outline = find_outline(particles, neighbours, coverage_radius);
     std::size_t const n = particles.owned();
     particles.allocate(Fields<Surface>{});
@@ -106,7 +107,7 @@ Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbou
             points.push_back(view.get<Position>(static_cast<std::size_t>(i)));
             view.at<Surface>()[i] = 1;
         }
-        Corners const corners(points, spacing);
+        Corners const corners(points, spacing, volume);
         auto const piece = boundary.piece_of(static_cast<std::size_t>(loop.particles[0]));
         Vectors of_size(points.size()), of_content(points.size());  // by the corners
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -134,8 +135,8 @@ Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbou
     return boundary;
 }
 
-std::vector<Vector2> boundary_corners(std::vector<Vector2> const& loop, double spacing) {
-    return Corners(loop, spacing).all();
+std::vector<Vector2> boundary_corners(std::vector<Vector2> const& loop, double spacing, double volume) {
+    return Corners(loop, spacing, volume).all();
 }
 
 }  // namespace coronet

@@ -46,12 +46,13 @@ struct Boundary {
     }
 };
 
-/// Sets Surface, too: 1 on the boundary and 0 elsewhere. coverage_radius as in detect.hpp, spacing that of the
-/// particles [m]. Throws CaseError if the lists of neighbours do not reach twice the coverage radius.
+/// Sets Surface, too: 1 on the boundary and 0 elsewhere. coverage_radius as in detect.hpp, spacing [m] and volume [m^2]
+/// those of the particles. Throws CaseError if the lists of neighbours do not reach twice the coverage radius.
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
-                          double spacing);
+                          double spacing, double volume);
 
-/// The corners X of one loop of the outline, as for find_boundary. spacing [m].
-std::vector<Vector<double, 2>> boundary_corners(std::vector<Vector<double, 2>> const& loop, double spacing);
+/// The corners X of one loop of the outline, as for find_boundary. spacing [m], volume [m^2].
+std::vector<Vector<double, 2>> boundary_corners(std::vector<Vector<double, 2>> const& loop, double spacing,
+                                                double volume);
 
 }  // namespace coronet

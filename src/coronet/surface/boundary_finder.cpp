@@ -9,7 +9,7 @@ namespace coronet {
 template <>
 Boundary<2> BoundaryFinder<2>::operator()(Particles<2>& particles, Neighbours<2> const& neighbours,
                                           SurfaceSettings const& settings) {
-    return find_boundary(particles, neighbours, settings.coverage_radius, settings.spacing);
+    return find_boundary(particles, neighbours, settings.coverage_radius, settings.spacing, settings.volume);
 }
 
 template <>

@@ -192,12 +192,23 @@ std::vector<Index> SurfaceMesh::parts() const {
     return part;
 }
 
+/// One particle, two, or a row of them have no triangle; what is off the mesh inside of liquid has dozens around it.
+bool has_strays(SurfaceMesh const& mesh, Particles<3> const& particles, Neighbours<3> const& neighbours) {
+    constexpr std::size_t few = 12;
+    std::vector<char> on_mesh(particles.owned(), 0);
+    for (Index const i : mesh.particle) on_mesh[static_cast<std::size_t>(i)] = 1;
+    for (std::size_t i = 0; i < on_mesh.size(); ++i)
+        if (!on_mesh[i] && neighbours.row(i).size() < few) return true;
+    return false;
+}
+
 SurfaceMesh find_mesh(Particles<3> const& particles, Neighbours<3> const& neighbours, double radius) {
     check_coverage_radius(radius, neighbours.support());
     for (int attempt = 0; attempt < attempts; ++attempt) {
         auto moved = disordered(particles, disorder * radius, attempt);
         if (auto mesh = join(find_edges(moved, neighbours, radius))) {
             mesh->box = neighbours.images().box();
+            mesh->has_strays = has_strays(*mesh, particles, neighbours);
             return *std::move(mesh);
         }
     }

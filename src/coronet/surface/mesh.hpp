@@ -34,7 +34,8 @@ struct SurfaceMesh {
     /// A corner is 3 times its triangle plus its place there; those of a vertex v, one after the other around it, are
     /// corners[first[v]] ... corners[first[v + 1] - 1].
     std::vector<Index> first, corners;
-    PeriodicBox<3> box;  ///< in which it repeats itself
+    PeriodicBox<3> box;       ///< in which it repeats itself
+    bool has_strays = false;  ///< whether there is liquid without triangles that may be apart from the rest
 
     std::size_t vertices() const { return particle.size(); }
     /// Calls visit(triangle, place) for the corners of a vertex.

@@ -211,7 +211,7 @@ Boundary<3> boundary_of(SurfaceMesh const& mesh, Particles<3>& particles, Neighb
     std::vector<double> content_of_part(static_cast<std::size_t>(*std::ranges::max_element(part)) + 1, 0);
     for (std::size_t t = 0; t < part.size(); ++t)
         content_of_part[static_cast<std::size_t>(part[t])] += of_triangle[t].content;
-    if (std::ranges::count_if(content_of_part, [](double content) { return content > 0; }) > 1) {
+    if (mesh.has_strays || std::ranges::count_if(content_of_part, [](double content) { return content > 0; }) > 1) {
         boundary.pieces = number_pieces(particles, neighbours, 2 * coverage_radius, boundary.piece);
         boundary.size.assign(boundary.pieces, 0);
         boundary.content.assign(boundary.pieces, 0);

@@ -44,9 +44,10 @@ struct ArtificialViscosity {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         R const approach = smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
-        R const phi = approach * ij.soft;  // over h
+        R const phi = approach * ij.soft;              // over h
+        double const quadratic = beta > 0 ? beta : 0;  // unset it is below
         R const minus_Pi =
-            phi * (R(alpha) * ij.h * (ij.i.c + ij.j.c) - R(2 * beta) * ij.h * ij.h * phi) / (ij.i.rho + ij.j.rho);
+            phi * (R(alpha) * ij.h * (ij.i.c + ij.j.c) - R(2 * quadratic) * ij.h * ij.h * phi) / (ij.i.rho + ij.j.rho);
         return give<gives>(ij, (minus_Pi * ij.j.rho * (ij.j.V * ij.F)) * ij.x);
     }
 };
