@@ -69,8 +69,7 @@ Incompressible<D>::Incompressible(Settings const& settings, Particles<D> particl
     bool const is_viscous = !settings_.liquid.is_inviscid();
     bool const implicit = settings_.viscous_step == Viscous::implicit_step;
     bool const between = settings_.central_viscosity.active() || any_active(settings_.pair_terms);
-    if (!settings_.liquid.is_newtonian() || (is_viscous && !implicit && between))
-        particles_.allocate(Fields<Viscosity>{});
+    if (!settings_.liquid.is_newtonian() || between) particles_.allocate(Fields<Viscosity>{});
     if (is_viscous && implicit) viscous_step_.emplace(settings_.kernel, settings_.liquid, settings_.solve);
     if (is_viscous && !implicit)
         particles_.allocate(Fields<DensityRate, CorrectedStress, StressOffset, OwnAcceleration, FellBack>{});
@@ -204,11 +203,12 @@ void Incompressible<D>::forces(double time) {
     phases_.act("forces", [&] {
         auto const& terms = settings_.pair_terms;
         CorrectedForceClose<D> const close{settings_.gravity};
-        if (viscous && (central.active() || any_active(terms)))
+        bool const stressed = viscous && central.share < 1, between = central.active() || any_active(terms);
+        if (stressed && between)
             sweep_of(Part{neighbours_.all(), CorrectedForcesAndPairTerms{{}, central, terms}, close});
-        else if (viscous) sweep_of(Part{neighbours_.all(), CorrectedForces{}, close});
-        else if (any_active(terms))
-            sweep_of(Part{neighbours_.all(), Sum<PairTerms>{terms}, PlainForceClose<D>{settings_.gravity}});
+        else if (stressed) sweep_of(Part{neighbours_.all(), CorrectedForces{}, close});
+        else if (between)
+            sweep_of(Part{neighbours_.all(), BetweenParticles{central, terms}, PlainForceClose<D>{settings_.gravity}});
         else
             for_each(particles_.owned(), [&](std::size_t i) { view.template set<Acceleration>(i, settings_.gravity); });
     });

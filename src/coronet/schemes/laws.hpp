@@ -27,6 +27,7 @@ using MirrorSums = Sum<Moments, VelocitySlopes, VelocityJumps, PressureJumps>;
 using WallCorrections = Sum<WallContinuity, WallContact>;
 using PlainForces = Sum<StressDivergence>;
 using CorrectedForces = Sum<CorrectedStressDivergence>;
+using BetweenParticles = Sum<CentralViscosity, PairTerms>;  // either may be idle
 using PlainForcesAndPairTerms = Sum<StressDivergence, PairTerms>;
 
 // Either of the two may be idle.
