@@ -94,10 +94,9 @@ TEST(Boundary, ForcesOfSizeAndContentHaveNoSumAndNoTorqueOnRandomClouds) {
     }
 }
 
-TEST(Boundary, GradientsAreTheDerivativesOfSizeAndContent) {
-    Points const points = disc(6, 0.2, 3);
+/// Along a random direction, beside central differences.
+void expect_derivatives(Points const& points) {
     auto const found = boundary_of(points);
-    // Along a random direction, by central differences.
     std::mt19937_64 engine(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
     Points direction(points.size());
@@ -119,6 +118,21 @@ TEST(Boundary, GradientsAreTheDerivativesOfSizeAndContent) {
     auto const after = boundary_of(plus).boundary, before = boundary_of(minus).boundary;
     EXPECT_NEAR((after.size[0] - before.size[0]) / (2 * e), of_size, 1e-7);
     EXPECT_NEAR((after.content[0] - before.content[0]) / (2 * e), of_content, 1e-7);
+}
+
+TEST(Boundary, GradientsAreTheDerivativesOfSizeAndContent) { expect_derivatives(disc(6, 0.2, 3)); }
+
+TEST(Boundary, GradientsAreTheDerivativesWhereAThreadEnds) {
+    // A thread of single particles that is bent, and whose last one nearly coincides with another.
+    Points points = disc(5, 0.1, 5);
+    for (int k = 0; k < 8; ++k) points.push_back({{6.0 + 0.8 * k, 0.1 * k * k}});
+    points.push_back({{11.61, 4.94}});
+    expect_derivatives(points);
+    auto const [particles, boundary] = boundary_of(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_LT(norm2(boundary.of_size[i]), 5 * 5);
+        EXPECT_LT(norm2(boundary.of_content[i]), 5 * 5);
+    }
 }
 
 TEST(Boundary, OfAHalfPlaneStandsHalfASpacingOutside) {

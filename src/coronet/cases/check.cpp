@@ -354,7 +354,6 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "method.central_share is for method.gradient = 'fpm' with viscous_force = 'stress', viscous_step = "
             "'explicit' and no walls: leave it away");
-    check_shells(c, errors);
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     bool const fits = (c.fluid.surface_tension > 0 && !on_boundary) || c.method.shifting == "sun" ||
                       (thesis && c.surface.pressure != "free");
@@ -377,8 +376,10 @@ void check(Case const& c, Errors& errors) {
     check_probes<D>(c, errors);
     Errors impossible;  // to fill with particles
     check_shapes<D>(c, impossible);
+    check_shells(c, impossible);
     errors.insert(errors.end(), impossible.begin(), impossible.end());
     if (impossible.empty()) check_initial_state<D>(c, errors);
+    if (errors.empty()) check_sliding<D>(c, errors);
 }
 
 }  // namespace

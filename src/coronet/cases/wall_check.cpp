@@ -166,6 +166,40 @@ void check_walls(Case const& c, Errors& errors) {
     }
 }
 
+template <int D>
+void check_sliding(Case const& c, Errors& errors) {
+    auto const slides = [](Wall const& wall) {
+        return std::ranges::any_of(wall.surface_velocity, [](std::string const& text) { return text != "0"; });
+    };
+    if (std::ranges::none_of(c.walls, slides)) return;
+    auto const seeds = fill_walls<D>(c);
+    for (std::size_t k = 0; k < c.walls.size(); ++k) {
+        if (!slides(c.walls[k])) continue;
+        std::vector<Formula> velocity;
+        for (std::string const& text : c.walls[k].surface_velocity) velocity.emplace_back(text, c.parameters);
+        double fastest = 0;
+        for (std::size_t w = 0; w < seeds.size(); ++w) {
+            if (seeds.wall[w] != k) continue;
+            double speed2 = 0;
+            for (auto& component : velocity) {
+                double const v = component(seeds.position[w] + 0.5 * seeds.to_mirror[w], 0);
+                speed2 += v * v;
+            }
+            fastest = std::isfinite(speed2) ? std::max(fastest, std::sqrt(speed2)) : INFINITY;
+        }
+        if (!std::isfinite(fastest))
+            say(errors, "walls.{}.surface_velocity = [{}] is not finite all over the wall at t = 0", k,
+                fmt::join(c.walls[k].surface_velocity, ", "));
+        else if (c.fluid.sound_speed > 0 && fastest >= c.fluid.sound_speed)
+            say(errors,
+                "walls.{}.surface_velocity is up to {:.4g} m/s, but fluid.sound_speed = {} m/s: make that ten times as "
+                "fast",
+                k, fastest, c.fluid.sound_speed);
+    }
+}
+template void check_sliding<2>(Case const&, Errors&);
+template void check_sliding<3>(Case const&, Errors&);
+
 void check_wall_probe(Case const& c, std::size_t k, Errors& errors) {
     ProbeKeys const& probe = c.probes[k];
     auto const value = [&](std::string const& text) { return Formula(text, c.parameters)(Vector<double, 3>{}, 0); };

@@ -25,6 +25,10 @@ void read_surfaces(Case& c, std::string const& file);
 /// Names, outlines, surfaces and motions of the case's walls.
 void check_walls(Case const& c, Errors& errors);
 
+/// The velocities of surfaces that slide, where wall particles are. Only of a case without other errors.
+template <int D>
+void check_sliding(Case const& c, Errors& errors);
+
 /// Probe number k, where it looks at a wall.
 void check_wall_probe(Case const& c, std::size_t k, Errors& errors);
 

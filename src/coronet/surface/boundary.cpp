@@ -28,16 +28,16 @@ public:
         }
         for (std::size_t k = 0; k < n_; ++k) {
             auto const chord = x_[at(k, 1)] - x_[at(k, n_ - 1)];
-            chord_.push_back(std::sqrt(norm2(chord)));
+            double const length = std::sqrt(norm2(chord)), least = least_chord * (length_[at(k, n_ - 1)] + length_[k]);
+            folded_.push_back(length < least);
+            chord_.push_back(std::max(length, least));
             double spread = 0;
             for_sides(k, [&](std::size_t side) { spread += length_[side] / sides; });
             bool const crowded = spread < 0.5 * spacing;
             spread_.push_back(crowded ? 0.5 * spacing : spread);
             crowded_.push_back(crowded);
-            // At the end of a thread the outline turns back, and there is no normal.
-            bool const has_normal = chord_[k] > 0;
-            normal_.push_back(has_normal ? (1 / chord_[k]) * right_of(chord) : Vector2{});
-            out_.push_back(has_normal ? volume / (2 * spread_[k]) : 0);
+            normal_.push_back(chord_[k] > 0 ? (1 / chord_[k]) * right_of(chord) : Vector2{});
+            out_.push_back(chord_[k] > 0 ? volume / (2 * spread_[k]) : 0);
             corners_[k] += out_[k] * normal_[k];
         }
     }
@@ -53,9 +53,16 @@ public:
             if (out_[k] == 0) continue;
             auto const& F = by_corners[k];
             double const outwards = dot(F, normal_[k]);
-            auto const turning = (out_[k] / chord_[k]) * left_of(F - outwards * normal_[k]);
+            // A unit normal turns with the chord; of one that is shorter, the chord and the sides change the length.
+            auto const turning = (out_[k] / chord_[k]) * left_of(folded_[k] ? F : F - outwards * normal_[k]);
             total[at(k, 1)] += turning;
             total[at(k, n_ - 1)] += -turning;
+            if (folded_[k])
+                for (std::size_t const side : {at(k, n_ - 1), k}) {
+                    auto const shortening = (-outwards * out_[k] * least_chord / chord_[k]) * along_[side];
+                    total[at(side, 1)] += shortening;
+                    total[side] += -shortening;
+                }
             if (crowded_[k]) continue;
             for_sides(k, [&](std::size_t side) {
                 auto const thinning = (-outwards * out_[k] / (spread_[k] * sides)) * along_[side];
@@ -68,6 +75,7 @@ public:
 
 private:
     static constexpr int sides = 4;
+    static constexpr double least_chord = 0.5;  // over both sides
 
     std::size_t at(std::size_t k, std::size_t further) const { return (k + further) % n_; }
     /// The two sides before and the two after corner k, by where they begin.
@@ -80,7 +88,7 @@ private:
     std::size_t n_;
     std::vector<Vector2> corners_, along_, normal_;
     std::vector<double> length_, chord_, spread_, out_;
-    std::vector<char> crowded_;
+    std::vector<char> crowded_, folded_;
 };
 
 }  // namespace

@@ -11,6 +11,8 @@
 // there does. (With half a spacing everywhere it would move as the outermost particles do, less than the liquid: mode n
 // of a drop of radius R then has an error of n times the spacing over R.) A row of single particles is a thread
 // of the right volume. Where surface particles crowd to less than half a spacing, l is that: a boundary a spacing out.
+// Where the outline turns back on itself, at the end of a thread, the line through the neighbours counts as no less
+// than half as long as the two sides, and n is shorter than 1, down to nothing: derivatives stay finite.
 //
 // Neither changes when everything is shifted or turned: whatever the arrangement, their derivatives sum to zero over
 // the particles, and so do the moments. A force that is a multiple of them conserves momentum and angular momentum to
