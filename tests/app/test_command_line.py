@@ -336,8 +336,19 @@ class WhatIsAskedFor(CommandLine):
 
     def test_a_valid_case_is_said_to_be_so(self):
         done = self.coronet("check", "drop-stretching", "--set", "particles.spacing=0.04")
-        self.assertRegex(done.stdout, "drop-stretching is a valid case: 2D, 1961 particles")
+        self.assertRegex(done.stdout, r"drop-stretching is a valid case: 2D, 1961 particles.*\n  liquid: 3\.1\d+ m\^2, 3\d+ kg/m, its particles from \(-1, -1\)")
+        self.assertNotIn("note:", done.stdout)
+        done = self.coronet("check", "dam-break", "--set", "walls.0.slip=none", "--set", "fluid.sound_speed=2")
+        self.assertRegex(done.stdout, r"\n  walls: \d+ particles\n  note: fluid\.viscosity is 0.*\n  note: fluid\.sound_speed = 2 m/s is less than ten times the 2\.43 m/s")
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_the_whole_cases_of_the_guide_are_valid(self):
+        guide = (Path(__file__).resolve().parents[2] / "docs/guide.md").read_text()
+        cases = [block for block in re.findall(r"```toml\n(.*?)```", guide, re.S) if block.startswith("name") and "\nfrom =" not in block]
+        self.assertGreaterEqual(len(cases), 3)
+        for number, text in enumerate(cases):
+            (self.folder / f"{number}.toml").write_text(text)
+            self.coronet("check", f"{number}.toml")
 
     def test_a_wrong_case_is_said_to_be_so_with_file_and_line(self):
         (self.folder / "drop.toml").write_text('name = "drop"\ndimension = 5\n')

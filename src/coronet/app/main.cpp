@@ -16,6 +16,7 @@
 
 #include "coronet/app/bench.hpp"
 #include "coronet/app/measures.hpp"
+#include "coronet/app/outlook.hpp"
 #include "coronet/app/plot.hpp"
 #include "coronet/cases/builtin.hpp"
 #include "coronet/cases/nearest.hpp"
@@ -75,9 +76,7 @@ void show_initial_frame(Case const& c) {
 
 void check(std::string const& name, std::vector<std::string> const& settings) {
     Case const c = load_case(name, settings);
-    auto const particles = c.dimension == 2 ? fill<2>(c).size() : fill<3>(c).size();
-    fmt::print("{} is a valid case: {}D, {} particles, {} s of simulated time\n", c.name, c.dimension, particles,
-               c.time.end);
+    fmt::print("{}", outlook(c));
     if (c.flow_curve_fit) show_fit(c);
     if (c.initial.frame) c.dimension == 2 ? show_initial_frame<2>(c) : show_initial_frame<3>(c);
 }

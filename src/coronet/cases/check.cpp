@@ -353,7 +353,8 @@ void check(Case const& c, Errors& errors) {
                                                 c.method.viscous_step != "explicit" || !c.walls.empty()))
         say(errors,
             "method.central_share is for method.gradient = 'fpm' with viscous_force = 'stress', viscous_step = "
-            "'explicit' and no walls: leave it away");
+            "'explicit' and no walls, but here are '{}', '{}', '{}' and {} walls: change that, or leave it away",
+            c.method.gradient, c.method.viscous_force, c.method.viscous_step, c.walls.size());
     bool const closed = !c.walls.empty() || c.domain.periodic != "none";
     bool const fits = (c.fluid.surface_tension > 0 && !on_boundary) || c.method.shifting == "sun" ||
                       (thesis && c.surface.pressure != "free");
