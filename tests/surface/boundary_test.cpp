@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "coronet/surface/tension.hpp"
+#include "coronet/surface/boundary_finder.hpp"
 
 namespace coronet {
 
@@ -133,6 +133,34 @@ TEST(Boundary, GradientsAreTheDerivativesWhereAThreadEnds) {
         EXPECT_LT(norm2(boundary.of_size[i]), 5 * 5);
         EXPECT_LT(norm2(boundary.of_content[i]), 5 * 5);
     }
+}
+
+TEST(BoundaryFinder, CountsByHowMuchTheSizeJumpsWhereAParticleJoins) {
+    Points points = shells(8);
+    auto const particles_at = [](Points const& x) {
+        Particles<2> particles(x.size());
+        particles.allocate(Fields<Position>{});
+        for (std::size_t i = 0; i < x.size(); ++i) particles.view().set<Position>(i, x[i]);
+        return particles;
+    };
+    SurfaceSettings settings{};
+    settings.spacing = settings.volume = 1;
+    settings.coverage_radius = coverage;
+    BoundaryFinder<2> find;
+    auto const size_of = [&](Points const& x) {
+        auto particles = particles_at(x);
+        Neighbours<2> neighbours(support, 0);
+        neighbours.update(particles);
+        return find(particles, neighbours, settings).total_size();
+    };
+    size_of(points);
+    for (auto& x : points) x = 1.001 * x;  // the same particles
+    double const before = size_of(points);
+    EXPECT_EQ(find.jumps(), 0);
+    points.back() = {{8.9, 0.1}};  // from the middle to the outside
+    double const after = size_of(points);
+    EXPECT_GT(std::fabs(after - before), 0.1);
+    EXPECT_NEAR(find.jumps(), std::fabs(after - before), 1e-12);
 }
 
 TEST(Boundary, OfAHalfPlaneStandsHalfASpacingOutside) {

@@ -56,7 +56,7 @@ void add_readings(std::vector<Reading>& list, Boundary<D> const& boundary, doubl
                   Works const& works) {
     list.push_back({"surface_energy", sigma * boundary.total_size()});
     list.push_back({"surface_content", boundary.total_content()});
-    if (D == 3) list.push_back({"surface_energy_jumps", sigma * jumps});
+    list.push_back({"surface_energy_jumps", sigma * jumps});
     list.push_back({"tension_work", works.tension});
     list.push_back({"dissipated_energy", works.dissipated});
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coronet/surface/outline.hpp"
 #include "coronet/surface/pieces.hpp"
 
 namespace coronet {
@@ -95,7 +94,12 @@ private:
 
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
                           double spacing, double volume) {
-    auto const outline = find_outline(particles, neighbours, coverage_radius);
+    return boundary_along(find_outline(particles, neighbours, coverage_radius), particles, neighbours, coverage_radius,
+                          spacing, volume);
+}
+
+Boundary<2> boundary_along(Outline const& outline, Particles<2>& particles, Neighbours<2> const& neighbours,
+                           double coverage_radius, double spacing, double volume) {
     std::size_t const n = particles.owned();
     particles.allocate(Fields<Surface>{});
     auto const view = particles.view();

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "coronet/neighbours/neighbours.hpp"
+#include "coronet/surface/outline.hpp"
 
 namespace coronet {
 
@@ -52,6 +53,10 @@ struct Boundary {
 /// those of the particles. Throws CaseError if the lists of neighbours do not reach twice the coverage radius.
 Boundary<2> find_boundary(Particles<2>& particles, Neighbours<2> const& neighbours, double coverage_radius,
                           double spacing, double volume);
+
+/// The same along an outline that has been found.
+Boundary<2> boundary_along(Outline const& outline, Particles<2>& particles, Neighbours<2> const& neighbours,
+                           double coverage_radius, double spacing, double volume);
 
 /// The corners X of one loop of the outline, as for find_boundary. spacing [m], volume [m^2].
 std::vector<Vector<double, 2>> boundary_corners(std::vector<Vector<double, 2>> const& loop, double spacing,

@@ -1,15 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/surface/boundary_finder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace coronet {
 
+namespace {
+
+using Lines = std::vector<std::vector<std::int64_t>>;
+
+/// Of the particles along each loop, in an order that does not depend on where a loop is begun.
+Lines identities(Outline const& outline, Particles<2> const& particles) {
+    Lines lines;
+    for (Loop const& loop : outline.loops) {
+        auto& line = lines.emplace_back();
+        for (Index const i : loop.particles) line.push_back(particles.id[static_cast<std::size_t>(i)]);
+        std::ranges::rotate(line, std::ranges::min_element(line));
+    }
+    std::ranges::sort(lines);
+    return lines;
+}
+
+/// Of the boundary along lines of before, where their particles are now [m].
+double length(Lines const& lines, Particles<2> const& particles, SurfaceSettings const& settings) {
+    std::vector<std::size_t> place(particles.owned());
+    for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(particles.id[i])] = i;
+    double sum = 0;
+    for (auto const& line : lines) {
+        Polygon points;
+        for (std::int64_t const id : line)
+            points.push_back(particles.view().get<Position>(place[static_cast<std::size_t>(id)]));
+        sum += measure(boundary_corners(points, settings.spacing, settings.volume)).perimeter;
+    }
+    return sum;
+}
+
+}  // namespace
+
 template <>
 Boundary<2> BoundaryFinder<2>::operator()(Particles<2>& particles, Neighbours<2> const& neighbours,
                                           SurfaceSettings const& settings) {
-    return find_boundary(particles, neighbours, settings.coverage_radius, settings.spacing, settings.volume);
+    auto const outline = find_outline(particles, neighbours, settings.coverage_radius);
+    auto const boundary =
+        boundary_along(outline, particles, neighbours, settings.coverage_radius, settings.spacing, settings.volume);
+    auto lines = identities(outline, particles);
+    if (!lines_.empty() && lines != lines_)
+        jumps_ += std::fabs(boundary.total_size() - length(lines_, particles, settings));
+    lines_ = std::move(lines);
+    return boundary;
 }
 
 template <>
