@@ -210,10 +210,11 @@ class ARun(CommandLine):
         self.assertNotIn("\r", done.stderr)
 
     def test_says_that_its_step_is_longer_than_is_known_to_be_stable(self):
-        notes = [line for line in self.coronet("run", *TINY, "--set", "time.step=5e-5", "--out", "run").stderr.splitlines()
+        notes = [line for line in self.coronet("run", *TINY, "--set", "time.step=5e-5", "--set", "output.series_every=1e-4",
+                                                      "--set", "output.every=1e-4", "--out", "run").stderr.splitlines()
                  if line.startswith("note:")]
         self.assertEqual(len(notes), 1)
-        self.assertRegex(notes[0], r"time\.step = 5e-05 is longer than the 4\.\S+e-05 s that sound would let")
+        self.assertRegex(notes[0], r"the step 5e-05 s \(time\.step\) is longer than the 4\.\S+e-05 s that sound would let")
 
     def test_that_is_quiet_shows_no_progress(self):
         done = self.coronet("run", *TINY, "--out", "run", "--quiet")

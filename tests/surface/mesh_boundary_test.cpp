@@ -208,6 +208,9 @@ TEST(MeshBoundary, TellsPiecesApart) {
     auto sprayed = ball(4, 0, 1);
     sprayed.insert(sprayed.end(), {{{9, 0, 0}}, {{0, 9, 0}}, {{0, 10, 0}}, {{0, 11, 0}}});
     EXPECT_EQ(Found(sprayed).boundary.pieces, 3u);
+    auto near = ball(5, 0, 1);  // within the kernel's radius, not within twice the coverage radius
+    near.push_back({{0, 0, 5 + 2.6}});
+    EXPECT_EQ(Found(near, 1.2).boundary.pieces, 2u);
     Points hollow;
     for (auto const& x : ball(6, 0, 1))
         if (norm2(x) > 6.5) hollow.push_back(x);

@@ -38,7 +38,9 @@ std::string outlook_in(Case const& c) {
     if (std::ranges::any_of(c.walls, sticks) && rheology_of(c).largest_viscosity() == 0)
         text += "  note: fluid.viscosity is 0, so nothing sticks to the walls, which have slip = 'none'\n";
     double g2 = 0, fall = 0;
+    auto const box = periodic_box<D>(c);
     for (int k = 0; k < D; ++k) {
+        if (box.periodic[k]) continue;  // no height
         g2 += c.fluid.gravity[static_cast<std::size_t>(k)] * c.fluid.gravity[static_cast<std::size_t>(k)];
         fall += std::fabs(c.fluid.gravity[static_cast<std::size_t>(k)]) * (high[k] - low[k] + c.particles.spacing);
     }

@@ -26,7 +26,7 @@ double radius_of(double volume) {
 template <int D>
 std::vector<double> StaticDropProbe<D>::sample(Snapshot<D> const& now) {
     auto const total = totals(now.particles);
-    if (pressure_.empty()) radius_ = radius_of<D>(total.volume);
+    if (pressure_.empty()) radius_ = radius_of<D>(total.volume), mass_ = total.mass;
     auto const view = now.particles.view();
     auto const centre = total.centre(), drift = (1 / total.mass) * total.momentum;
     double pressure = 0, volume = 0, fastest2 = 0;
@@ -60,7 +60,7 @@ std::vector<Measure> StaticDropProbe<D>::measures() const {
          fmt::format("Laplace's {} sigma/R; the mean within half the radius, {}; the error is relative", D - 1, when)},
         {"spurious_capillary_number", capillary, 0.0, capillary,
          fmt::format("a drop at rest; mu v/sigma of the fastest particle, largest {}, Ohnesorge number {:.4g}", when,
-                     mu / std::sqrt(case_.fluid.density * sigma * R))}};
+                     mu / std::sqrt(mass_ / mean(volume_) * sigma * R))}};
 }
 
 template class StaticDropProbe<2>;

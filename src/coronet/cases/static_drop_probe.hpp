@@ -19,7 +19,7 @@ public:
 
 private:
     Case const& case_;
-    double radius_ = 0;                              // at the start [m], from the volume
+    double radius_ = 0, mass_ = 0;                   // at the start, from the volume [m]; [kg]
     std::vector<double> pressure_, speed_, volume_;  // of all samples
 };
 

@@ -48,7 +48,7 @@ public:
     explicit Images(PeriodicBox<D> const& box) : box_(box) {}
 
     /// Moves all particles into the box and makes the images of those within `reach` [m] of its periodic faces; of them
-    /// only Position is set.
+    /// only Position and Mass are set.
     void remake(Particles<D>& particles, double reach);
     /// Particles now stand where from[i] stood.
     void follow(Particles<D> const& particles, std::span<Index const> from);

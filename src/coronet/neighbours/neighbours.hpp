@@ -50,7 +50,7 @@ public:
     Neighbours& operator=(Neighbours const&) = delete;
 
     /// Lists the neighbours anew if the particles have moved too far for the old rows. Returns whether it did: then the
-    /// particles have been re-ordered, and of their images Position alone is set.
+    /// particles have been re-ordered, and of their images Position and Mass alone are set.
     bool update(Particles<D>& particles);
 
     /// The neighbours of i as a sweep uses them: each is its number times `place`, where its group of four numbers

@@ -23,8 +23,11 @@ std::string readable(double seconds) {
 Progress::Progress(bool quiet, double end, std::size_t particles)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), end_(end), particles_(particles) {}
 
-Progress::~Progress() {
+Progress::~Progress() { end_line(); }
+
+void Progress::end_line() {
     if (open_line_) std::fputc('\n', stderr);
+    open_line_ = false;
 }
 
 void Progress::show(double time, std::int64_t steps, bool last) {

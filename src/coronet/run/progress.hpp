@@ -14,6 +14,8 @@ public:
     Progress(bool quiet, double end, std::size_t particles);
     ~Progress();
     void show(double time, std::int64_t steps, bool last = false);
+    /// Before something else is printed.
+    void end_line();
 
 private:
     using Clock = std::chrono::steady_clock;

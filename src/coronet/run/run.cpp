@@ -72,10 +72,12 @@ std::string advice(Case const& c) {
 }
 
 /// A step that the case has is taken as it is, known to be stable or not.
-void note_long_step(double step, StepLimit const& stable) {
+void note_long_step(double step, StepLimit const& stable, Progress& progress) {
     if (step <= stable.step) return;
+    progress.end_line();
     fmt::print(stderr,
-               "note: time.step = {:g} is longer than the {:.3g} s that {} would let \"auto\" take here: if the run "
+               "note: the step {:g} s (time.step) is longer than the {:.3g} s that {} would let \"auto\" take here: if "
+               "the run "
                "fails or its energy grows, make it shorter\n",
                step, stable.step, stable.reason);
 }
@@ -107,13 +109,13 @@ RunStatus run(Case const& c, RunOptions const& options) {
             progress.show(time, steps, last);
             if (last) break;
 
-            if (steps == 0 && c.time.step > 0 && !options.quiet) note_long_step(c.time.step, scheme->time_limit());
             StepLimit const limit = c.time.step > 0 ? StepLimit{c.time.step, "time.step"} : scheme->time_limit();
             if (!(limit.step > 1e-12 * c.time.end))
                 throw RunError(
                     fmt::format("the stable time step fell to {:.3g} s because of {}", limit.step, limit.reason));
             double const due = std::min(rows.next(), frames.next());
             dt = fit_step(limit.step, due - time);
+            if (steps == 0 && c.time.step > 0 && !options.quiet) note_long_step(dt, scheme->time_limit(), progress);
             scheme->advance(time, dt);
             time = dt == due - time ? due : time + dt;
             ++steps;

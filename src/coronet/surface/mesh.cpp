@@ -193,12 +193,20 @@ std::vector<Index> SurfaceMesh::parts() const {
 }
 
 /// One particle, two, or a row of them have no triangle; what is off the mesh inside of liquid has dozens around it.
-bool has_strays(SurfaceMesh const& mesh, Particles<3> const& particles, Neighbours<3> const& neighbours) {
-    constexpr std::size_t few = 12;
+bool has_strays(SurfaceMesh const& mesh, Particles<3> const& particles, Neighbours<3> const& neighbours,
+                double radius) {
+    constexpr int few = 12;
     std::vector<char> on_mesh(particles.owned(), 0);
     for (Index const i : mesh.particle) on_mesh[static_cast<std::size_t>(i)] = 1;
-    for (std::size_t i = 0; i < on_mesh.size(); ++i)
-        if (!on_mesh[i] && neighbours.row(i).size() < few) return true;
+    auto const view = particles.view();
+    for (std::size_t i = 0; i < on_mesh.size(); ++i) {
+        if (on_mesh[i]) continue;
+        auto const is_joined = [&](Index at) {
+            auto const apart = view.get<Position>(static_cast<std::size_t>(at)) - view.get<Position>(i);
+            return norm2(apart) <= 4 * radius * radius;
+        };
+        if (std::ranges::count_if(neighbours.row(i), is_joined) < few) return true;
+    }
     return false;
 }
 
@@ -208,7 +216,7 @@ SurfaceMesh find_mesh(Particles<3> const& particles, Neighbours<3> const& neighb
         auto moved = disordered(particles, disorder * radius, attempt);
         if (auto mesh = join(find_edges(moved, neighbours, radius))) {
             mesh->box = neighbours.images().box();
-            mesh->has_strays = has_strays(*mesh, particles, neighbours);
+            mesh->has_strays = has_strays(*mesh, particles, neighbours, radius);
             return *std::move(mesh);
         }
     }
