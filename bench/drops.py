@@ -105,10 +105,12 @@ def large():
 def resting():
     print("| | particles per radius | mean pressure | spurious capillary number, second half | circularity | centre |\n" + "|---" * 6 + "|")
     jittered = {"particles.jitter": 0.1, "method.shifting": "conserving", "method.shift_range": 0.8}
-    for n, start, changes in (20, "shells", {}), (20, "jittered", jittered), (40, "shells", {}), (40, "jittered", jittered):
+    projection = {**jittered, "method.scheme": "projection", "initial.pressure": 0, "method.compact_share": 0.02}
+    starts = {"shells": {}, "jittered": jittered, "jittered, projection": projection}
+    for n, start, changes in [(n, *start) for n in (20, 40) for start in starts.items()]:
         if n > finest:
             continue
-        run = Run(f"resting 2D {n} {start}", "static-drop",
+        run = Run(f"resting 2D {n} {start}".replace(",", ""), "static-drop",
                   {"dimension": 2, "initial.pressure": 70, "particles.spacing": 1e-3 / n, "time.end": 0.378, "output.frames": "false",
                    "output.series_every": 1e-3, **changes})
         print(f"| 2D, {start} | {n} | {run.error('laplace_pressure')} | {run.value('spurious_capillary_number')} "
