@@ -48,8 +48,7 @@ std::string outlook_in(Case const& c) {
     if (c.method.scheme == "weakly-compressible" && g2 > 0 && !c.walls.empty() && c.fluid.sound_speed < 9.5 * speed)
         text += fmt::format(
             "  note: fluid.sound_speed = {:g} m/s is less than ten times the {:.3g} m/s of a fall through the height "
-            "of "
-            "the liquid\n",
+            "of the liquid\n",
             c.fluid.sound_speed, speed);
     return text;
 }

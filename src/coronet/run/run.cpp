@@ -77,8 +77,7 @@ void note_long_step(double step, StepLimit const& stable, Progress& progress) {
     progress.end_line();
     fmt::print(stderr,
                "note: the step {:g} s (time.step) is longer than the {:.3g} s that {} would let \"auto\" take here: if "
-               "the run "
-               "fails or its energy grows, make it shorter\n",
+               "the run fails or its energy grows, make it shorter\n",
                step, stable.step, stable.reason);
 }
 
