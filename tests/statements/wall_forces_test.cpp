@@ -273,6 +273,24 @@ TEST(MovingWalls, DragLiquidToAndFroAsStokesSays) {
     EXPECT_LT(std::sqrt(sum2 / static_cast<double>(scheme->particles().owned())), 0.015 * U);
 }
 
+TEST(WallForces, HaveTheLeverToTheNearestCopyOfAWallThatCrossesAFace) {
+    // Two wall particles beside x = 0.95, of a wall that moves: one has left the box on the right and come back.
+    Particles<2> particles(0, 2);
+    particles.allocate(Fields<Position, WallForce, WallNumber>{});
+    auto const view = particles.view();
+    std::size_t const first = particles.begin(Role::wall);
+    for (std::size_t k = 0; k < 2; ++k) {
+        view.set<Position>(first + k, {{k == 0 ? 0.9 : 0.05, 0}});
+        view.set<WallForce>(first + k, {{0, 2}});
+        view.at<WallNumber>()[first + k] = 0;
+    }
+    PeriodicBox<2> box;
+    box.size = {{1, 1}};
+    box.periodic[0] = true;
+    EXPECT_NEAR(wall_load<2>(particles, 0, {{0.95, 0}}, box).torque[2], 2 * (-0.05 + 0.1), 1e-14);
+    EXPECT_NEAR(wall_load<2>(particles, 0, {{0.95, 0}}).torque[2], 2 * (-0.05 - 0.9), 1e-14);
+}
+
 TEST(Threads, ChangeNoBitBetweenMovingWalls) {
     auto c = tank({.motion = "displacement = ['0.05*sin(20*t)', 0]\nturn = '100*t'"});
     auto const force = [&](int count) {
