@@ -106,8 +106,8 @@ TEST_P(CentralViscosityIn, LeavesThePressureInThatStressUnderTension) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothSchemes, CentralViscosityIn, testing::Values("weakly-compressible", "projection"),
-                         [](auto const& info) {
-                             return std::string(info.param) == "projection" ? "projection" : "sound";
+                         [](auto const& parameter) {
+                             return std::string(parameter.param) == "projection" ? "projection" : "sound";
                          });
 
 }  // namespace coronet

@@ -135,32 +135,66 @@ TEST(Boundary, GradientsAreTheDerivativesWhereAThreadEnds) {
     }
 }
 
+/// Particles that move, and the boundary that is found each time.
+struct Moving {
+    Particles<2> particles;
+    Neighbours<2> neighbours;
+    SurfaceSettings settings{};
+    BoundaryFinder<2> find;
+
+    Moving(Points const& points, double skin) : particles(points.size()), neighbours(support, skin) {
+        particles.allocate(Fields<Position>{});
+        settings.spacing = settings.volume = 1;
+        settings.coverage_radius = coverage;
+        for (std::size_t i = 0; i < points.size(); ++i) particles.view().set<Position>(i, points[i]);
+    }
+
+    Boundary<2> at(Points const& points) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            particles.view().set<Position>(i, points[static_cast<std::size_t>(particles.id[i])]);
+        neighbours.update(particles);
+        return find(particles, neighbours, settings);
+    }
+};
+
 TEST(BoundaryFinder, CountsByHowMuchTheSizeJumpsWhereAParticleJoins) {
     Points points = shells(8);
-    auto const particles_at = [](Points const& x) {
-        Particles<2> particles(x.size());
-        particles.allocate(Fields<Position>{});
-        for (std::size_t i = 0; i < x.size(); ++i) particles.view().set<Position>(i, x[i]);
-        return particles;
-    };
-    SurfaceSettings settings{};
-    settings.spacing = settings.volume = 1;
-    settings.coverage_radius = coverage;
-    BoundaryFinder<2> find;
-    auto const size_of = [&](Points const& x) {
-        auto particles = particles_at(x);
-        Neighbours<2> neighbours(support, 0);
-        neighbours.update(particles);
-        return find(particles, neighbours, settings).total_size();
-    };
-    size_of(points);
+    Moving drop(points, 0);
+    drop.at(points);
     for (auto& x : points) x = 1.001 * x;  // the same particles
-    double const before = size_of(points);
-    EXPECT_EQ(find.jumps(), 0);
+    double const before = drop.at(points).total_size();
+    EXPECT_EQ(drop.find.jumps(), 0);
     points.back() = {{8.9, 0.1}};  // from the middle to the outside
-    double const after = size_of(points);
+    double const after = drop.at(points).total_size();
     EXPECT_GT(std::fabs(after - before), 0.1);
-    EXPECT_NEAR(find.jumps(), std::fabs(after - before), 1e-12);
+    EXPECT_NEAR(drop.find.jumps(), std::fabs(after - before), 1e-12);
+}
+
+TEST(BoundaryFinder, SeesEveryParticleThatCanHaveComeToTheSurface) {
+    // A loose cloud that swells and shrinks about random places, as far as its lists allow: holes open and close.
+    constexpr double skin = 0.25;
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::size_t kept = 0, changed = 0;
+    for (unsigned cloud = 0; cloud < 20; ++cloud) {
+        Points const points = disc(9, 0.45, cloud);
+        Moving moving(points, skin);
+        auto const first = moving.at(points);
+        for (int moves = 0; moves < 5; ++moves) {
+            Points moved = points;
+            double const reach = 0.17 * skin * (1 + moves / 2);  // beyond half the skin lists are made anew
+            for (auto& x : moved) x += reach * Vector<double, 2>{{uniform(engine), uniform(engine)}};
+            std::size_t const listings = moving.neighbours.listings();
+            auto const found = moving.at(moved);
+            auto const fresh = find_boundary(moving.particles, moving.neighbours, coverage, 1, 1);
+            EXPECT_EQ(found.size, fresh.size);
+            EXPECT_EQ(found.content, fresh.content);
+            kept += moving.neighbours.listings() == listings;
+            changed += found.total_size() != first.total_size();
+        }
+    }
+    EXPECT_GT(kept, 30u);
+    EXPECT_GT(changed, 50u);
 }
 
 TEST(Boundary, OfAHalfPlaneStandsHalfASpacingOutside) {

@@ -42,9 +42,11 @@ double length(Lines const& lines, Particles<2> const& particles, SurfaceSettings
 template <>
 Boundary<2> BoundaryFinder<2>::operator()(Particles<2>& particles, Neighbours<2> const& neighbours,
                                           SurfaceSettings const& settings) {
-    auto const outline = find_outline(particles, neighbours, settings.coverage_radius);
-    auto const boundary =
-        boundary_along(outline, particles, neighbours, settings.coverage_radius, settings.spacing, settings.volume);
+    double const radius = settings.coverage_radius;
+    if (listing_ != neighbours.listings()) candidates_ = surface_candidates(particles, neighbours, radius);
+    listing_ = neighbours.listings();
+    auto const outline = find_outline(particles, neighbours, radius, candidates_);
+    auto const boundary = boundary_along(outline, particles, neighbours, radius, settings.spacing, settings.volume);
     auto lines = identities(outline, particles);
     if (!lines_.empty() && lines != lines_)
         jumps_ += std::fabs(boundary.total_size() - length(lines_, particles, settings));

@@ -30,7 +30,7 @@ void mark_surface(Particles<D>& particles, Neighbours<D> const& neighbours, doub
     for_blocks(all.blocks(), [&](std::size_t block) {
         static thread_local std::conditional_t<D == 2, ArcCoverage, SphereCoverage> coverage;
         for (std::size_t i = all.begin[block]; i < all.begin[block + 1]; ++i)
-            view.template at<Surface>()[i] = cover(coverage, particles, neighbours, i, radius) ? 0 : 1;
+            view.template at<Surface>()[i] = cover(coverage, particles, neighbours, i, radius, radius) ? 0 : 1;
     });
 }
 

@@ -24,15 +24,22 @@ double cross(Vector<double, 2> const& a, Vector<double, 2> const& b) { return a[
 
 Vector<double, 2> direction(double angle) { return {{std::cos(angle), std::sin(angle)}}; }
 
-std::vector<Arc> arcs_of_the_boundary(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius) {
-    Targets const& all = neighbours.all();
-    std::vector<std::vector<Arc>> of_block(all.blocks());
-    for_blocks(all.blocks(), [&](std::size_t block) {
+/// Calls visit(coverage, i, block) for each of the targets whose circle discs of radius `others` leave uncovered.
+template <class Visit>
+void for_uncovered(Particles<2> const& particles, Neighbours<2> const& neighbours, Targets const& targets,
+                   double radius, double others, Visit const& visit) {
+    for_blocks(targets.blocks(), [&](std::size_t block) {
         static thread_local ArcCoverage coverage;
-        for (std::size_t i = all.begin[block]; i < all.begin[block + 1]; ++i) {
-            if (cover(coverage, particles, neighbours, i, radius)) continue;
-            coverage.for_gaps([&](Gap const& gap) { of_block[block].push_back({static_cast<Index>(i), gap}); });
-        }
+        for (std::size_t k = targets.begin[block]; k < targets.begin[block + 1]; ++k)
+            if (!cover(coverage, particles, neighbours, targets[k], radius, others)) visit(coverage, targets[k], block);
+    });
+}
+
+std::vector<Arc> arcs_of_the_boundary(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius,
+                                      Targets const& candidates) {
+    std::vector<std::vector<Arc>> of_block(candidates.blocks());
+    for_uncovered(particles, neighbours, candidates, radius, radius, [&](auto& coverage, auto i, auto block) {
+        coverage.for_gaps([&](Gap const& gap) { of_block[block].push_back({static_cast<Index>(i), gap}); });
     });
     std::vector<Arc> arcs;
     for (auto const& some : of_block) arcs.insert(arcs.end(), some.begin(), some.end());
@@ -84,10 +91,23 @@ int Outline::voids() const {
     return static_cast<int>(std::count_if(loops.begin(), loops.end(), [](Loop const& loop) { return loop.area < 0; }));
 }
 
+Targets surface_candidates(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius) {
+    Targets const& all = neighbours.all();
+    std::vector<char> candidate(all.begin.back(), false);
+    for_uncovered(particles, neighbours, all, radius, std::max(radius - 2 * neighbours.skin(), 0.0),
+                  [&](auto&, auto i, auto) { candidate[i] = true; });
+    return neighbours.targets([&](std::size_t i) { return candidate[i]; });
+}
+
 Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius) {
+    return find_outline(particles, neighbours, radius, neighbours.all());
+}
+
+Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius,
+                     Targets const& candidates) {
     check_coverage_radius(radius, neighbours.support());
     auto const view = particles.view();
-    auto const arcs = arcs_of_the_boundary(particles, neighbours, radius);
+    auto const arcs = arcs_of_the_boundary(particles, neighbours, radius, candidates);
     auto const next = successors(arcs, view, radius);
 
     Outline outline;

@@ -44,6 +44,15 @@ struct Outline {
 /// `radius` is the coverage radius [m]; throws CaseError if the lists of neighbours do not reach twice as far.
 Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius);
 
+/// The same where none but the `candidates` can be of the surface.
+Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius,
+                     Targets const& candidates);
+
+/// The particles that can be of the surface until neighbours are listed anew. By then two that can meet have come at
+/// most two skins closer or farther apart than now, so a circle that its neighbours cover with discs smaller by that
+/// stays covered.
+Targets surface_candidates(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius);
+
 /// A closed polygon with the liquid on its left, moved out by d [m].
 Polygon moved_out(Polygon line, double d);
 
