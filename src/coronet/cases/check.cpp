@@ -341,8 +341,6 @@ void check(Case const& c, Errors& errors) {
         say(errors,
             "method.shifting = 'conserving' keeps what a tension on the boundary acts on: it needs "
             "fluid.surface_tension and surface.tension_force = 'boundary'");
-    if (on_boundary && c.time.stepping == "symplectic-euler")
-        say(errors, "surface.tension_force = 'boundary' needs time.stepping = 'predictor-corrector'");
     if (c.time.stepping == "symplectic-euler" && c.time.position_update != "mean-velocity")
         say(errors,
             "time.position_update = '{}' is of time.stepping = 'predictor-corrector'; 'symplectic-euler' moves "

@@ -48,6 +48,7 @@ struct Works {
     friend Works operator+(Works const& a, Works const& b) {
         return {a.tension + b.tension, a.dissipated + b.dissipated};
     }
+    friend Works operator*(double s, Works const& w) { return {s * w.tension, s * w.dissipated}; }
 };
 
 /// What a scheme with a tension sigma [N/m] on the boundary shows of it, `jumps` those of its size so far.

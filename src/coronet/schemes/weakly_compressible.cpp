@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/schemes/weakly_compressible.hpp"
 
-#include <fmt/format.h>
-
 #include "coronet/pairs/sweep.hpp"
 #include "coronet/schemes/arrangement.hpp"
 #include "coronet/schemes/check_state.hpp"
@@ -67,93 +65,6 @@ void WeaklyCompressible<D>::begin_step(double time) {
 }
 
 template <int D>
-void WeaklyCompressible<D>::advance(double time, double step) {
-    if (settings_.stepping == Stepping::symplectic_euler) symplectic_step(time, step);
-    else predict_and_correct(time, step);
-    if (shifting_.active()) phases_.act("shift", [&] { shifting_.apply(particles_); });
-}
-
-template <int D>
-void WeaklyCompressible<D>::symplectic_step(double time, double step) {
-    evaluate(time, step, step);
-    auto const view = particles_.view();
-    phases_.act("move", [&] {
-        for_each(particles_.owned(), [&](std::size_t i) {
-            auto const v = view.template get<Velocity>(i) + step * view.template get<Acceleration>(i);
-            view.template set<Velocity>(i, v);
-            view.template set<Position>(i, view.template get<Position>(i) + step * v);
-            view.template at<Density>()[i] += step * view.template at<DensityRate>()[i];
-        });
-    });
-}
-
-template <int D>
-void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
-    damp(0.5 * step);
-    auto const view = particles_.view();
-    phases_.act("predict", [&] {
-        for_each(particles_.owned(), [&](std::size_t i) {
-            auto const x = view.template get<Position>(i);
-            auto const v = view.template get<Velocity>(i);
-            double const rho = view.template get<Density>(i);
-            view.template set<PositionBefore>(i, x);
-            view.template set<VelocityBefore>(i, v);
-            view.template set<DensityBefore>(i, rho);
-            view.template set<Position>(i, x + 0.5 * step * v);
-            view.template set<Velocity>(i, v + 0.5 * step * view.template get<Acceleration>(i));
-            view.template set<Density>(i, rho + 0.5 * step * view.template get<DensityRate>(i));
-        });
-    });
-    evaluate(time + 0.5 * step, 0, step);
-    damp(step);
-    works_ = works_ + Works{step * powers_.tension, step * powers_.dissipated};
-    if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
-    phases_.act("correct", [&] {
-        bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
-        for_each(particles_.owned(), [&](std::size_t i) {
-            auto const v0 = view.template get<VelocityBefore>(i);
-            auto const v = v0 + step * view.template get<Acceleration>(i);
-            auto const drift = mean ? 0.5 * (v0 + v) : view.template get<Velocity>(i);
-            view.template set<Position>(i, view.template get<PositionBefore>(i) + step * drift);
-            view.template set<Velocity>(i, v);
-            view.template set<Density>(i,
-                                       view.template get<DensityBefore>(i) + step * view.template get<DensityRate>(i));
-        });
-    });
-    if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->apply(particles_, neighbours_, boundary_); });
-}
-
-/// Makes the accelerations fit for a step that viscosity does not limit.
-template <int D>
-void WeaklyCompressible<D>::damp(double step) {
-    if (!implicit_viscosity_) return;
-    double const before = power();
-    phases_.act("viscous step", [&] {
-        auto const& liquid = settings_.liquid;
-        auto const mu = particles_.view().template at<Viscosity>();
-        viscous_solved_ = implicit_viscosity_->apply(particles_, neighbours_, step, [&](std::size_t i) {
-            return liquid.is_newtonian() ? liquid.rheology.viscosity : mu[i];
-        });
-    });
-    if (!viscous_solved_.converged)
-        throw RunError(fmt::format(
-            "the viscous step did not converge: after {} iterations the residual is {:.2g} of the right-hand side, and "
-            "{:.2g} is asked for (method.tolerance), with at most {} iterations (method.most_iterations)",
-            viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
-            settings_.solve.most_iterations));
-    powers_.dissipated += before - power();
-}
-
-/// Of all forces [W].
-template <int D>
-double WeaklyCompressible<D>::power() const {
-    auto const view = particles_.view();
-    return sum_over(particles_.owned(), 0.0, [&](std::size_t i) {
-        return view.template at<Mass>()[i] * dot(view.template get<Acceleration>(i), view.template get<Velocity>(i));
-    });
-}
-
-template <int D>
 std::vector<Reading> WeaklyCompressible<D>::readings() const {
     std::vector<Reading> list{{"singular_matrices", static_cast<double>(counters_.singular_now)}};
     if (implicit_viscosity_) list.push_back({"viscous_iterations", static_cast<double>(viscous_solved_.iterations)});
@@ -199,8 +110,8 @@ void WeaklyCompressible<D>::evaluate(double time, double dt, double shift) {
         });
     if (on_boundary)
         phases_.act("surface", [&] {
-            look_at_powers();
-            act_on_boundary();
+            look_at_dissipation();
+            act_on_boundary(dt);
         });
     else if (settings_.surface.tension > 0)
         phases_.act("surface", [&] {
@@ -373,8 +284,11 @@ void WeaklyCompressible<D>::refresh() {
     update_state();
     if (particles_.size() > particles_.owned())  // probes look beyond the faces, too
         neighbours_.images().refresh(particles_, Fields<Velocity, Volume, Pressure, Density>{});
+    bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;  // what was evaluated is a step old
+    if (is_symplectic && settings_.surface.acts_on_boundary())
+        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
     if (particles_.count(Role::wall) == 0) return;
-    if (settings_.stepping == Stepping::symplectic_euler) {  // what was evaluated last is a step old
+    if (is_symplectic) {
         update_surroundings();
         if (!one_sweep()) {
             gradients_and_stress(0);

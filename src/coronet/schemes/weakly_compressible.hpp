@@ -110,8 +110,9 @@ private:
     void count_singular();
     void refresh_images();
     void find_boundary_and_mean_pressure();
-    void act_on_boundary();
-    void look_at_powers();
+    void act_on_boundary(double dt);
+    void look_at_dissipation();
+    Works powers(double dt) const;
     double power() const;
     void predict_and_correct(double time, double step);
     void symplectic_step(double time, double step);
@@ -131,7 +132,9 @@ private:
     BoundaryFinder<D> find_boundary_;
     Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece,
-    Works works_, powers_;               // so far [J], in the last evaluation [W]
+    std::vector<double> mean_gain_;      // with symplectic steps the mean of what pressure gains between particles,
+    Works works_;                        // so far [J],
+    double dissipated_ = 0;              // and by friction in the last evaluation [W]
     Shifting<D> shifting_;
     std::optional<ConservingShift<D>> conserving_shift_;
     CoupledZones<D> zones_;  // of cph

@@ -7,7 +7,8 @@
 
 namespace coronet {
 
-/// Leaves in Pressure what exceeds the mean of each piece of liquid.
+/// Leaves in Pressure what exceeds the mean of each piece of liquid. With symplectic steps it will have gained, before
+/// it acts, what continuity between particles says: as that had a mean in the last step, it will have one now.
 template <int D>
 void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
     boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
@@ -16,7 +17,8 @@ void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
     double* const p = view.template at<Pressure>();
     auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
     mean_pressure_ = boundary_.sums([&](std::size_t i) { return V[i] * p[i]; });
-    for (std::size_t k = 0; k < volume.size(); ++k) mean_pressure_[k] /= volume[k];
+    if (mean_gain_.size() != volume.size()) mean_gain_.assign(volume.size(), 0.0);
+    for (std::size_t k = 0; k < volume.size(); ++k) mean_pressure_[k] = mean_pressure_[k] / volume[k] + mean_gain_[k];
     for_each(particles_.owned(), [&](std::size_t i) { p[i] -= mean_pressure_[boundary_.piece_of(i)]; });
     neighbours_.images().refresh(particles_, Fields<Pressure>{});
 }
@@ -24,13 +26,9 @@ void WeaklyCompressible<D>::find_boundary_and_mean_pressure() {
 /// Before tension and mean pressure act: what remains of the work of the forces between particles is that of pressure,
 /// which continuity tells, being dual to it.
 template <int D>
-void WeaklyCompressible<D>::look_at_powers() {
+void WeaklyCompressible<D>::look_at_dissipation() {
     auto const view = particles_.view();
-    std::size_t const n = particles_.owned();
-    powers_.tension = -settings_.surface.tension * sum_over(n, 0.0, [&](std::size_t i) {
-        return dot(boundary_.of_size[i], view.template get<Velocity>(i));
-    });
-    powers_.dissipated = -sum_over(n, 0.0, [&](std::size_t i) {
+    dissipated_ = -sum_over(particles_.owned(), 0.0, [&](std::size_t i) {
         auto const a = view.template get<Acceleration>(i) - settings_.gravity;
         double const compressing = view.template at<Pressure>()[i] * view.template at<DensityRate>()[i] /
                                    (view.template at<Density>()[i] * view.template at<Density>()[i]);
@@ -38,10 +36,20 @@ void WeaklyCompressible<D>::look_at_powers() {
     });
 }
 
-/// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
-/// the particles differ in; pressure and stress are whole again.
+/// Of tension and friction [W], that of tension at the velocities that accelerations make in dt [s].
 template <int D>
-void WeaklyCompressible<D>::act_on_boundary() {
+Works WeaklyCompressible<D>::powers(double dt) const {
+    auto const view = particles_.view();
+    double const shortening = sum_over(particles_.owned(), 0.0, [&](std::size_t i) {
+        return dot(boundary_.of_size[i], view.template get<Velocity>(i) + dt * view.template get<Acceleration>(i));
+    });
+    return {-settings_.surface.tension * shortening, dissipated_};
+}
+
+/// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
+/// the particles differ in; pressure and stress are whole again. With dt > 0 the mean pressure is that after dt, too.
+template <int D>
+void WeaklyCompressible<D>::act_on_boundary(double dt) {
     auto const view = particles_.view();
     double const* const m = view.template at<Mass>();
     double const* const V = view.template at<Volume>();
@@ -51,6 +59,15 @@ void WeaklyCompressible<D>::act_on_boundary() {
     auto const excess = boundary_.sums([&](std::size_t i) {
         return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + V[i] * rate[i] / rho[i];
     });
+    if (dt > 0) {
+        double const* const c = view.template at<SoundSpeed>();
+        auto const unforeseen = boundary_.sums([&](std::size_t i) { return V[i] * view.template at<Pressure>()[i]; });
+        auto const stiffness = boundary_.sums([&](std::size_t i) { return V[i] * rho[i] * c[i] * c[i]; });
+        for (std::size_t k = 0; k < boundary_.pieces; ++k) {
+            mean_gain_[k] += unforeseen[k] / volume[k];
+            mean_pressure_[k] -= dt * (stiffness[k] / volume[k]) * (excess[k] / volume[k]);
+        }
+    }
     add_tension(particles_, boundary_, settings_.surface.tension);
     for_each(particles_.owned(), [&](std::size_t i) {
         std::size_t const k = boundary_.piece_of(i);
@@ -68,9 +85,11 @@ void WeaklyCompressible<D>::act_on_boundary() {
 
 template void WeaklyCompressible<2>::find_boundary_and_mean_pressure();
 template void WeaklyCompressible<3>::find_boundary_and_mean_pressure();
-template void WeaklyCompressible<2>::look_at_powers();
-template void WeaklyCompressible<3>::look_at_powers();
-template void WeaklyCompressible<2>::act_on_boundary();
-template void WeaklyCompressible<3>::act_on_boundary();
+template void WeaklyCompressible<2>::look_at_dissipation();
+template void WeaklyCompressible<3>::look_at_dissipation();
+template Works WeaklyCompressible<2>::powers(double) const;
+template Works WeaklyCompressible<3>::powers(double) const;
+template void WeaklyCompressible<2>::act_on_boundary(double);
+template void WeaklyCompressible<3>::act_on_boundary(double);
 
 }  // namespace coronet
