@@ -138,6 +138,33 @@ TEST(DropOnBoundary, LosesEnergyAndHasThePressureOfLaplace) {
     EXPECT_NEAR(seen.pressure, 1, 0.06);
 }
 
+TEST(DropOnBoundary, HasTheVolumeOfItsParticlesInSymplecticSteps) {
+    auto c = drop("weakly-compressible", "none");
+    c.time.stepping = "symplectic-euler";
+    c.particles.lattice = "shells";  // from which no particle joins the surface
+    c.particles.jitter = 0;
+    auto const scheme = make_scheme<2>(c);
+    auto const excess = [&] {  // of the content of the boundary
+        scheme->refresh();
+        double content = 0;
+        for (auto const& reading : scheme->readings())
+            if (reading.name == "surface_content") content = reading.value;
+        return content / totals(scheme->particles()).volume - 1;
+    };
+    scheme->begin_step(0);
+    double const first = excess(), step = 2e-3;
+    double late = 0;  // the mean over the last sixth of two periods: particles and velocities are half a step apart
+    int samples = 0;
+    for (int k = 0; k < 2600; ++k) {
+        scheme->advance(k * step, step);
+        scheme->begin_step((k + 1) * step);
+        if (k < 2600 * 5 / 6 || k % 5 != 0) continue;
+        late += excess();
+        ++samples;
+    }
+    EXPECT_NEAR(late / samples, first, 3e-5);
+}
+
 TEST(DropOnBoundary, BreathesInSymplecticStepsAsInOthers) {
     // Of the kinetic energy of the first period, what is left in the sixth.
     auto const left = [](std::string const& stepping, double courant) {

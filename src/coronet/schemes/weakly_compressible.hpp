@@ -110,8 +110,10 @@ private:
     void count_singular();
     void refresh_images();
     void find_boundary_and_mean_pressure();
+    void look_ahead_on_boundary(double dt, std::vector<double> const& volume, std::vector<double>& excess);
     void act_on_boundary(double dt);
     void look_at_dissipation();
+    std::vector<double> content_rates() const;
     Works powers(double dt) const;
     double power() const;
     void predict_and_correct(double time, double step);
@@ -133,8 +135,9 @@ private:
     Boundary<D> boundary_;               // if tension acts on it,
     std::vector<double> mean_pressure_;  // and that of each piece,
     std::vector<double> mean_gain_;      // with symplectic steps the mean of what pressure gains between particles,
-    Works works_;                        // so far [J],
-    double dissipated_ = 0;              // and by friction in the last evaluation [W]
+    std::vector<double> content_rate_before_;  // and of its content where the last step began,
+    Works works_;                              // so far [J],
+    double dissipated_ = 0;                    // and by friction in the last evaluation [W]
     Shifting<D> shifting_;
     std::optional<ConservingShift<D>> conserving_shift_;
     CoupledZones<D> zones_;  // of cph

@@ -46,6 +46,34 @@ Works WeaklyCompressible<D>::powers(double dt) const {
     return {-settings_.surface.tension * shortening, dissipated_};
 }
 
+/// Of the content of each piece, at the velocities as they are [m^D/s].
+template <int D>
+std::vector<double> WeaklyCompressible<D>::content_rates() const {
+    return boundary_.sums(
+        [&](std::size_t i) { return dot(boundary_.of_content[i], particles_.view().template get<Velocity>(i)); });
+}
+
+/// With symplectic steps: the mean pressure of each piece after dt [s], what continuity between particles adds having
+/// acted there. `excess` [m^D/s] is that of the rate of the content, which becomes the mean of what it is where the
+/// step that made the velocities began and where it ended.
+template <int D>
+void WeaklyCompressible<D>::look_ahead_on_boundary(double dt, std::vector<double> const& volume,
+                                                   std::vector<double>& excess) {
+    auto const view = particles_.view();
+    double const* const V = view.template at<Volume>();
+    double const* const rho = view.template at<Density>();
+    double const* const c = view.template at<SoundSpeed>();
+    auto const now = content_rates();
+    auto const& before = content_rate_before_.size() == now.size() ? content_rate_before_ : now;
+    auto const unforeseen = boundary_.sums([&](std::size_t i) { return V[i] * view.template at<Pressure>()[i]; });
+    auto const stiffness = boundary_.sums([&](std::size_t i) { return V[i] * rho[i] * c[i] * c[i]; });
+    for (std::size_t k = 0; k < boundary_.pieces; ++k) {
+        excess[k] += 0.5 * (before[k] - now[k]);
+        mean_gain_[k] += unforeseen[k] / volume[k];
+        mean_pressure_[k] -= dt * (stiffness[k] / volume[k]) * (excess[k] / volume[k]);
+    }
+}
+
 /// Adds tension and mean pressure there to Acceleration, and to DensityRate what content of the boundary and volume of
 /// the particles differ in; pressure and stress are whole again. With dt > 0 the mean pressure is that after dt, too.
 template <int D>
@@ -56,18 +84,12 @@ void WeaklyCompressible<D>::act_on_boundary(double dt) {
     double const* const rho = view.template at<Density>();
     double* const rate = view.template at<DensityRate>();
     auto const volume = boundary_.sums([&](std::size_t i) { return V[i]; });
-    auto const excess = boundary_.sums([&](std::size_t i) {
-        return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + V[i] * rate[i] / rho[i];
+    auto excess = boundary_.sums([&](std::size_t i) {
+        // In a step that advances the density first, the volume m/rho changes by more than its rate says.
+        double const volume_rate = V[i] * rate[i] / rho[i] * (1 - dt * rate[i] / rho[i]);
+        return dot(boundary_.of_content[i], view.template get<Velocity>(i)) + volume_rate;
     });
-    if (dt > 0) {
-        double const* const c = view.template at<SoundSpeed>();
-        auto const unforeseen = boundary_.sums([&](std::size_t i) { return V[i] * view.template at<Pressure>()[i]; });
-        auto const stiffness = boundary_.sums([&](std::size_t i) { return V[i] * rho[i] * c[i] * c[i]; });
-        for (std::size_t k = 0; k < boundary_.pieces; ++k) {
-            mean_gain_[k] += unforeseen[k] / volume[k];
-            mean_pressure_[k] -= dt * (stiffness[k] / volume[k]) * (excess[k] / volume[k]);
-        }
-    }
+    if (dt > 0) look_ahead_on_boundary(dt, volume, excess);
     add_tension(particles_, boundary_, settings_.surface.tension);
     for_each(particles_.owned(), [&](std::size_t i) {
         std::size_t const k = boundary_.piece_of(i);
@@ -87,8 +109,12 @@ template void WeaklyCompressible<2>::find_boundary_and_mean_pressure();
 template void WeaklyCompressible<3>::find_boundary_and_mean_pressure();
 template void WeaklyCompressible<2>::look_at_dissipation();
 template void WeaklyCompressible<3>::look_at_dissipation();
+template std::vector<double> WeaklyCompressible<2>::content_rates() const;
+template std::vector<double> WeaklyCompressible<3>::content_rates() const;
 template Works WeaklyCompressible<2>::powers(double) const;
 template Works WeaklyCompressible<3>::powers(double) const;
+template void WeaklyCompressible<2>::look_ahead_on_boundary(double, std::vector<double> const&, std::vector<double>&);
+template void WeaklyCompressible<3>::look_ahead_on_boundary(double, std::vector<double> const&, std::vector<double>&);
 template void WeaklyCompressible<2>::act_on_boundary(double);
 template void WeaklyCompressible<3>::act_on_boundary(double);
 

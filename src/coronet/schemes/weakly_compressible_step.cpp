@@ -36,6 +36,7 @@ void WeaklyCompressible<D>::symplectic_step(double time, double step) {
         });
     });
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->apply(particles_, neighbours_, boundary_); });
+    if (settings_.surface.acts_on_boundary()) content_rate_before_ = content_rates();
 }
 
 template <int D>
