@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drops that oscillate, fly and rest, in both schemes: the tables of docs/validation.md.
+"""Drops that oscillate, fly and rest, by projection and weakly compressible in either kind of steps: the tables of docs/validation.md.
 
     /usr/bin/python3 bench/drops.py [oscillating] [flying] [large] [resting] [space] [--finest N] [--keep]
 
@@ -75,7 +75,7 @@ def oscillating():
         for mode in PERIODS:
             for ohnesorge in (0.05, 0.01):
                 for n in (20, 40, 80) if mode == 2 else (40,):
-                    if n > finest or scheme == "weakly compressible" and n > 40:  # hours; symplectic steps agree
+                    if n > finest or scheme == "weakly compressible" and n > 40:  # left out: hours
                         continue
                     run = Run(f"{scheme} Oh {ohnesorge} mode {mode} {n}", "oscillating-drop",
                               flat(scheme, n, ohnesorge, drop__mode=mode, probes__1__mode=mode, particles__jitter=0.1,
@@ -109,7 +109,7 @@ def resting():
     projection = {**jittered, "method.scheme": "projection", "initial.pressure": 0, "method.compact_share": 0.02}
     starts = {"shells": {}, "jittered": jittered, "jittered, symplectic": {**jittered, **SYMPLECTIC}, "jittered, projection": projection}
     for n, start, changes in [(n, *start) for n in (20, 40) for start in starts.items()]:
-        if n > finest or start == "jittered" and n > 20:  # an hour and a half; symplectic steps agree
+        if n > finest or start == "jittered" and n > 20:  # left out: more than an hour
             continue
         run = Run(f"resting 2D {n} {start}", "static-drop",
                   {"dimension": 2, "initial.pressure": 70, "particles.spacing": 1e-3 / n, "time.end": 0.378, "output.frames": "false",

@@ -91,7 +91,7 @@ void WeaklyCompressible<D>::evaluate(double time, double dt, double shift) {
     phases_.act("state", [&] { update_state(); });
     if (particles_.size() > particles_.owned()) phases_.act("walls", [&] { update_surroundings(); });
     bool const on_boundary = settings_.surface.acts_on_boundary();
-    if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(); });
+    if (on_boundary) phases_.act("surface", [&] { find_boundary_and_mean_pressure(dt); });
     // What pressure the density will have must be known before the forces: then one sweep is not enough.
     bool const at_walls = particles_.count(Role::wall) > 0, ahead = dt > 0;
     if (!one_sweep() || ahead) {
@@ -284,11 +284,8 @@ void WeaklyCompressible<D>::refresh() {
     update_state();
     if (particles_.size() > particles_.owned())  // probes look beyond the faces, too
         neighbours_.images().refresh(particles_, Fields<Velocity, Volume, Pressure, Density>{});
-    bool const is_symplectic = settings_.stepping == Stepping::symplectic_euler;  // what was evaluated is a step old
-    if (is_symplectic && settings_.surface.acts_on_boundary())
-        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
     if (particles_.count(Role::wall) == 0) return;
-    if (is_symplectic) {
+    if (settings_.stepping == Stepping::symplectic_euler) {  // what was evaluated last is a step old
         update_surroundings();
         if (!one_sweep()) {
             gradients_and_stress(0);
@@ -305,6 +302,8 @@ void WeaklyCompressible<D>::refresh() {
 template <int D>
 Arrangement WeaklyCompressible<D>::arrangement() {
     update_neighbours();
+    if (settings_.stepping == Stepping::symplectic_euler && settings_.surface.acts_on_boundary())  // a step old
+        boundary_ = find_boundary_(particles_, neighbours_, settings_.surface);
     return arrangement_of(particles_, neighbours_);
 }
 

@@ -109,12 +109,12 @@ private:
     void look_ahead(double dt);
     void count_singular();
     void refresh_images();
-    void find_boundary_and_mean_pressure();
+    void find_boundary_and_mean_pressure(double dt);
     void look_ahead_on_boundary(double dt, std::vector<double> const& volume, std::vector<double>& excess);
     void act_on_boundary(double dt);
     void look_at_dissipation();
     std::vector<double> content_rates() const;
-    Works powers(double dt) const;
+    Works rates_of_work(double dt) const;
     double power() const;
     void predict_and_correct(double time, double step);
     void symplectic_step(double time, double step);
@@ -132,12 +132,19 @@ private:
     Neighbours<D> neighbours_;
     Walls<D> walls_;
     BoundaryFinder<D> find_boundary_;
-    Boundary<D> boundary_;               // if tension acts on it,
-    std::vector<double> mean_pressure_;  // and that of each piece,
-    std::vector<double> mean_gain_;      // with symplectic steps the mean of what pressure gains between particles,
-    std::vector<double> content_rate_before_;  // and of its content where the last step began,
-    Works works_;                              // so far [J],
-    double dissipated_ = 0;                    // and by friction in the last evaluation [W]
+    // If tension acts on the boundary: it, the mean pressure of each piece, the work done so far [J] and the power of
+    // friction in the last evaluation [W].
+    Boundary<D> boundary_;
+    std::vector<double> mean_pressure_;
+    Works works_;
+    double dissipation_ = 0;
+    // With symplectic steps, of each piece: the mean rate at which continuity between particles raises pressure [Pa/s],
+    // and what the content would have gained on the way of the last step at the rates where that began.
+    std::vector<double> mean_gain_;
+    struct {
+        double step = 0;           // [s]
+        std::vector<double> gain;  // [m^D]
+    } last_way_;
     Shifting<D> shifting_;
     std::optional<ConservingShift<D>> conserving_shift_;
     CoupledZones<D> zones_;  // of cph

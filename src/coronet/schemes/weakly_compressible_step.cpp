@@ -24,7 +24,7 @@ template <int D>
 void WeaklyCompressible<D>::symplectic_step(double time, double step) {
     evaluate(time, step, step);
     // A force changes the kinetic energy by its impulse times the mean of the velocities before and after the step.
-    if (settings_.surface.acts_on_boundary()) works_ = works_ + step * powers(0.5 * step);
+    if (settings_.surface.acts_on_boundary()) works_ = works_ + step * rates_of_work(0.5 * step);
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     auto const view = particles_.view();
     phases_.act("move", [&] {
@@ -35,8 +35,11 @@ void WeaklyCompressible<D>::symplectic_step(double time, double step) {
             view.template at<Density>()[i] += step * view.template at<DensityRate>()[i];
         });
     });
+    if (settings_.surface.acts_on_boundary()) {
+        last_way_ = {step, content_rates()};
+        for (double& gain : last_way_.gain) gain *= step;
+    }
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->apply(particles_, neighbours_, boundary_); });
-    if (settings_.surface.acts_on_boundary()) content_rate_before_ = content_rates();
 }
 
 template <int D>
@@ -58,7 +61,7 @@ void WeaklyCompressible<D>::predict_and_correct(double time, double step) {
     });
     evaluate(time + 0.5 * step, 0, step);
     damp(step);
-    if (settings_.surface.acts_on_boundary()) works_ = works_ + step * powers(0);
+    if (settings_.surface.acts_on_boundary()) works_ = works_ + step * rates_of_work(0);
     if (conserving_shift_) phases_.act("shift", [&] { conserving_shift_->find(particles_, neighbours_); });
     phases_.act("correct", [&] {
         bool const mean = settings_.position_update == PositionUpdate::mean_velocity;
@@ -93,7 +96,7 @@ void WeaklyCompressible<D>::damp(double step) {
             "{:.2g} is asked for (method.tolerance), with at most {} iterations (method.most_iterations)",
             viscous_solved_.iterations, viscous_solved_.residual, settings_.solve.tolerance,
             settings_.solve.most_iterations));
-    dissipated_ += before - power();
+    dissipation_ += before - power();
 }
 
 /// Of all forces [W].

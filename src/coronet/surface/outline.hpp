@@ -48,9 +48,9 @@ Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbo
 Outline find_outline(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius,
                      Targets const& candidates);
 
-/// The particles that can be of the surface until neighbours are listed anew. By then two that can meet have come at
-/// most two skins closer or farther apart than now, so a circle that its neighbours cover with discs smaller by that
-/// stays covered.
+/// The particles that can be of the surface until neighbours are listed anew. Now and later, two that can meet are
+/// within a skin of how far apart they were at the last listing: within two skins of how far they are now. So a circle
+/// that its neighbours cover with discs smaller by that stays covered.
 Targets surface_candidates(Particles<2> const& particles, Neighbours<2> const& neighbours, double radius);
 
 /// A closed polygon with the liquid on its left, moved out by d [m].
