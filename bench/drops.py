@@ -74,7 +74,7 @@ def oscillating():
     for scheme in SCHEMES:
         for mode in PERIODS:
             for ohnesorge in (0.05, 0.01):
-                for n in (20, 40, 80) if mode == 2 else (40,):
+                for n in {(2, 0.05): (20, 40), (2, 0.01): (20, 40, 80)}.get((mode, ohnesorge), (40,)):
                     if n > finest or scheme == "weakly compressible" and n > 40:  # left out: hours
                         continue
                     run = Run(f"{scheme} Oh {ohnesorge} mode {mode} {n}", "oscillating-drop",
