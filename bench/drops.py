@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Drops that oscillate, fly and rest, by projection and weakly compressible in either kind of steps: the tables of docs/validation.md.
 
-    /usr/bin/python3 bench/drops.py [oscillating] [flying] [large] [resting] [space] [--finest N] [--keep]
+    /usr/bin/python3 bench/drops.py [oscillating] [flying] [large] [resting] [space] [creeping] [--finest N] [--keep]
 
 oscillating: period and damping of modes 2 to 4 in 2D, particles jittered and the axis turned by 17 degrees; flying: what offset and
 boost leave of momentum and angular momentum over 10 periods; large: amplitude 30 % over 10 periods; resting: pressure and
-spurious speeds; space: mode 2 in 3D. None of these words is all of them. N is the largest number of particles per radius (default 40).
+spurious speeds; space: mode 2 in 3D; creeping: drops at rest in 3D, and how their spurious speeds fall in time. None of these words is all of them. N is the largest number of particles per radius (default 40).
 Runs go to runs/drops/, each on one thread; with --keep those already there are not run again. The program is build/release/coronet,
 or what the environment variable CORONET names.
 """
@@ -132,6 +132,23 @@ def space():
                   f"| {run.value('momentum_drift')} | {run.summary['steps']} |", flush=True)
 
 
-TABLES = {table.__name__: table for table in (oscillating, flying, large, resting, space)}
+def creeping():
+    projection = {"method.scheme": "projection", "initial.pressure": 0, "method.compact_share": 0.02}
+    time = (1000 * 1e-9 / 0.07) ** 0.5  # sqrt(rho R^3/sigma) of the case static-drop [s]
+    spans = (0.5, 2.6), (2.6, 5), (5, 10), (10, 20), (20, 30), (30, 50), (50, 101)
+    print("| 3D, at rest | particles per radius | mean pressure | spurious capillary number, second half | circularity | centre "
+          + "".join(f"| mean from {a:g} to {min(b, 100):g} " for a, b in spans) + "|\n" + "|---" * 13 + "|")
+    for n, scheme, changes in ((7, "projection", projection), (8, "projection", projection), (10, "projection", projection),
+                               (10, "weakly compressible", {}), (20, "projection", projection), (20, "weakly compressible, symplectic", SYMPLECTIC)):
+        if n > finest:
+            continue
+        run = Run(f"resting 3D {n} {scheme}", "static-drop", {"particles.spacing": 1e-3 / n, "time.end": 0.378, "output.series_every": 1e-3, **changes})
+        t, number = run.series["time"] / time, 0.0264575 / 0.07 * run.series["spurious_speed"]
+        means = "".join(f"| {number[(t >= a) & (t < b)].mean():.1e} " for a, b in spans)
+        print(f"| {scheme} | {n} | {run.error('laplace_pressure')} | {run.value('spurious_capillary_number')} "
+              f"| {run.error('circularity_final')} | {run.value('centre_drift')} {means}|", flush=True)
+
+
+TABLES = {table.__name__: table for table in (oscillating, flying, large, resting, space, creeping)}
 for name in [word for word in sys.argv[1:] if word in TABLES] or TABLES:
     TABLES[name]()
