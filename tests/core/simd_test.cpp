@@ -60,18 +60,20 @@ TYPED_TEST(PackOf, IsFetchedFromTheGroupsItsPlacesPointTo) {
     }
 }
 
-TYPED_TEST(PackOf, InverseRootIsRightToTwoUnitsInTheLastPlace) {
+TYPED_TEST(PackOf, RootsAreRightToUnitsInTheLastPlace) {
     using T = TypeParam;
     std::mt19937_64 engine(1);
     std::uniform_real_distribution<double> exponent(-30, 30);
     for (int n = 0; n < 10000; ++n) {
         T numbers[pack_size<T>];
         for (T& number : numbers) number = static_cast<T>(std::pow(10.0, exponent(engine)));
-        auto const root = coronet::inverse_root(coronet::load(numbers));
-        for (int k = 0; k < pack_size<T>; ++k)
-            EXPECT_NEAR(static_cast<double>(root[k]) * std::sqrt(static_cast<double>(numbers[k])), 1,
-                        2.25 * std::numeric_limits<T>::epsilon())
-                << numbers[k];
+        auto const [root, inverse] = coronet::roots(coronet::load(numbers));
+        double const eps = std::numeric_limits<T>::epsilon();
+        for (int k = 0; k < pack_size<T>; ++k) {
+            double const exact = std::sqrt(static_cast<double>(numbers[k]));
+            EXPECT_NEAR(static_cast<double>(inverse[k]) * exact, 1, 2.25 * eps) << numbers[k];
+            EXPECT_NEAR(static_cast<double>(root[k]) / exact, 1, 2.75 * eps) << numbers[k];  // a product more
+        }
     }
 }
 
@@ -101,13 +103,12 @@ TYPED_TEST(PackOf, TellsWhichLanesAreBelowALimit) {
         }
 }
 
-TYPED_TEST(PackOf, KeepsItsFirstLanes) {
+TYPED_TEST(PackOf, IsZeroInItsFirstLanesAndANumberBehind) {
     using T = TypeParam;
-    auto const numbers = distinct<T>(pack_size<T>);
+    coronet::ZerosThen<T> const zeros_then(-7);
     for (std::size_t count = 0; count < 300; ++count) {
-        auto const kept = coronet::keep_first(coronet::load(numbers.data()), count, Pack<T>(-7.0));
-        for (std::size_t k = 0; k < pack_size<T>; ++k)
-            EXPECT_EQ(kept[static_cast<int>(k)], k < count ? numbers[k] : -7);
+        auto const pack = zeros_then.after(count);
+        for (std::size_t k = 0; k < pack_size<T>; ++k) EXPECT_EQ(pack[static_cast<int>(k)], k < count ? 0 : -7);
     }
 }
 

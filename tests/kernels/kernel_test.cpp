@@ -217,7 +217,7 @@ TEST(Kernel, TellsAPackOfDistancesWhatItTellsEachAlone) {
                     r2[k] = static_cast<T>(std::pow(kernel.support * 1.2 * (start + k) / 40, 2));
                 auto const values = kernel(coronet::load(r2));
                 auto const known =
-                    kernel.knots == 1 ? kernel.at<1>(coronet::load(r2)) : kernel.at<3>(coronet::load(r2));
+                    kernel.is_polynomial ? kernel.at<true>(coronet::load(r2)) : kernel.at<false>(coronet::load(r2));
                 for (int k = 0; k < coronet::pack_size<T>; ++k) {
                     auto const sum_of_parts = parts(kernel)(static_cast<double>(r2[k]));
                     auto const alone = kernel(static_cast<double>(r2[k]));

@@ -7,7 +7,7 @@
 
 namespace coronet {
 
-constexpr ArtificialViscosity viscosity{.alpha = 0.3, .beta = 0.7};
+constexpr Sum<ArtificialViscosity> viscosity{{.alpha = 0.3, .beta = 0.7}};
 
 TEST(ArtificialViscosity, IsEqualAndOpposite) {
     for (auto const& ij : random_pairs<3, ArtificialViscosity>(1000)) {
@@ -21,7 +21,7 @@ TEST(ArtificialViscosity, IsEqualAndOpposite) {
 }
 
 TEST(ArtificialViscosity, IsIdleWithoutCoefficients) {
-    ArtificialViscosity const none;
+    Sum<ArtificialViscosity> const none;
     EXPECT_FALSE(none.active());
     for (auto const& ij : random_pairs<3, ArtificialViscosity>(10)) EXPECT_EQ(norm2(none(ij).dv), 0);
 }
@@ -51,7 +51,7 @@ TEST(ArtificialViscosity, TakesEnergyFromApproachAndNoneFromParting) {
 TEST(ArtificialViscosity, HasTheValueOfThePaperForOnePair) {
     auto ij = random_pairs<2, ArtificialViscosity>(1).front();
     ij.i.c = 10, ij.j.c = 20, ij.i.rho = 900, ij.j.rho = 1100, ij.j.V = 2.0 / 1100;
-    ij.x = {{3, 4}}, ij.r2 = 25, ij.h = 10, ij.soft = 1 / (25 + 0.01 * 100), ij.F = -2;
+    ij.x = {{3, 4}}, ij.r2 = 25, ij.h = 10, ij.F = -2;
     ij.i.v = {{-1, 0}}, ij.j.v = {{0, 0}};
     double const phi = 10 * -3.0 / (25 + 0.01 * 100), Pi = (-0.3 * 15 * phi + 0.7 * phi * phi) / 1000;
     EXPECT_DOUBLE_EQ(viscosity(ij).dv[0], -2 * Pi * -6);

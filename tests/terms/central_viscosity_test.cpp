@@ -10,7 +10,7 @@
 
 namespace coronet {
 
-constexpr CentralViscosity viscosity{.share = 1};
+constexpr Sum<CentralViscosity> viscosity{{.share = 1}};
 
 TEST(CentralViscosity, IsEqualAndOppositeAlongThePairAndTakesEnergy) {
     for (auto const& ij : random_pairs<3, CentralViscosity>(1000)) {

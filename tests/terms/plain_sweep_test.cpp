@@ -17,7 +17,7 @@ TEST(PressureGradient, IsTheStressDivergenceOfPressureAlone) {
         auto stressed = ij;
         stressed.i.sigma = {{-ij.i.p, -ij.i.p, -ij.i.p, 0, 0, 0}};
         stressed.j.sigma = {{-ij.j.p, -ij.j.p, -ij.j.p, 0, 0, 0}};
-        auto const a = PressureGradient{}(ij).dv, b = StressDivergence{}(stressed).dv;
+        auto const a = Sum<PressureGradient>{}(ij).dv, b = StressDivergence{}(stressed).dv;
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-15 * std::sqrt(norm2(b)));
     }
 }
@@ -25,7 +25,8 @@ TEST(PressureGradient, IsTheStressDivergenceOfPressureAlone) {
 TEST(Continuity, IsMinusDensityTimesTheDivergenceAndKnowsNoCommonVelocity) {
     for (auto ij : random_pairs<2, Continuity>(100)) {
         auto const jump = ij.j.v - ij.i.v;
-        EXPECT_NEAR(Continuity{}(ij).drho, -ij.i.rho * ij.j.V * dot(jump, ij.gradW), 1e-14 * std::sqrt(norm2(ij.gradW)));
+        EXPECT_NEAR(Continuity{}(ij).drho, -ij.i.rho * ij.j.V * dot(jump, ij.gradW),
+                    1e-14 * std::sqrt(norm2(ij.gradW)));
         ij.j.v = ij.i.v;
         EXPECT_EQ(Continuity{}(ij).drho, 0);
     }

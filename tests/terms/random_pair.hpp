@@ -39,7 +39,6 @@ std::vector<TestPair<D, Term>> random_pairs(int count) {
         } while (norm2(ij.x) >= 1 || norm2(ij.x) == 0);
         ij.r2 = norm2(ij.x);
         ij.h = kernel.support / 3;
-        ij.soft = 1 / (ij.r2 + 0.01 * ij.h * ij.h);
         auto const [W, F] = kernel(ij.r2);
         ij.W = W;
         ij.F = F;

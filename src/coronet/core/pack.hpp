@@ -118,18 +118,20 @@ inline double sum(Pack<float> const& a) {
 inline Pack<double> square_root(Pack<double> const& a) { return Pack<double>(_mm512_sqrt_pd(a.lanes)); }
 inline Pack<float> square_root(Pack<float> const& a) { return Pack<float>(_mm512_sqrt_ps(a.lanes)); }
 
-/// 1/sqrt(a) to a unit or two in the last place for a > 0 that a float can hold. From the 14 bits that the processor
+/// To a unit or two in the last place, for what a float can hold. From the 14 bits of 1/sqrt(a) that the processor
 /// looks up, with e = 1 - a y^2: 1/sqrt(a) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)); float needs one term less. A
 /// root and a division would keep the divider busy for longer than the rest of a pair takes.
-inline Pack<double> inverse_root(Pack<double> const& a) {
+inline Roots<Pack<double>> roots(Pack<double> const& a) {
     Pack<double> const y(_mm512_rsqrt14_pd(a.lanes));
     Pack<double> const e = 1.0 - a * y * y;
-    return y + y * (e * (0.5 + e * (0.375 + e * 0.3125)));
+    Pack<double> const inverse = y + y * (e * (0.5 + e * (0.375 + e * 0.3125)));
+    return {a * inverse, inverse};
 }
-inline Pack<float> inverse_root(Pack<float> const& a) {
+inline Roots<Pack<float>> roots(Pack<float> const& a) {
     Pack<float> const y(_mm512_rsqrt14_ps(a.lanes));
     Pack<float> const e = 1.0 - a * y * y;
-    return y + y * (e * (0.5 + e * 0.375));
+    Pack<float> const inverse = y + y * (e * (0.5 + e * 0.375));
+    return {a * inverse, inverse};
 }
 
 #elif CORONET_SIMD && defined(__AVX2__) && defined(__FMA__)
@@ -159,18 +161,6 @@ inline double sum(Pack<float> const& a) {
 inline Pack<double> square_root(Pack<double> const& a) { return Pack<double>(_mm256_sqrt_pd(a.lanes)); }
 inline Pack<float> square_root(Pack<float> const& a) { return Pack<float>(_mm256_sqrt_ps(a.lanes)); }
 
-/// The same from the 11 bits that the processor looks up, for floats: a must be within their range. One term more.
-inline Pack<double> inverse_root(Pack<double> const& a) {
-    Pack<double> const y(_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(a.lanes))));
-    Pack<double> const e = 1.0 - a * y * y;
-    return y + y * (e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375))));
-}
-inline Pack<float> inverse_root(Pack<float> const& a) {
-    Pack<float> const y(_mm256_rsqrt_ps(a.lanes));
-    Pack<float> const e = 1.0 - a * y * y;
-    return y + y * (e * (0.5 + e * 0.375));
-}
-
 #else
 
 template <class T>
@@ -194,11 +184,14 @@ Pack<T> square_root(Pack<T> a) {
     for (int lane = 0; lane < pack_size<T>; ++lane) a.lanes[lane] = std::sqrt(a[lane]);
     return a;
 }
-template <class T>
-Pack<T> inverse_root(Pack<T> const& a) {
-    return 1.0 / square_root(a);
-}
+#endif
 
+#if !(CORONET_SIMD && defined(__AVX512F__))
+template <class T>
+Roots<Pack<T>> roots(Pack<T> const& a) {
+    Pack<T> const root = square_root(a);
+    return {root, 1.0 / root};
+}
 #endif
 
 }  // namespace coronet

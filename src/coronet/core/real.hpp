@@ -33,7 +33,16 @@ template <class Function>
 CORONET_HD double lane_by_lane(double a, Function const& f) {
     return f(a);
 }
-CORONET_HD inline double inverse_root(double a) { return 1 / std::sqrt(a); }
+
+/// The root of a number above zero, and the inverse of it.
+template <class R>
+struct Roots {
+    R root, inverse;
+};
+CORONET_HD inline Roots<double> roots(double a) {
+    double const root = std::sqrt(a);
+    return {root, 1 / root};
+}
 
 /// Squares below that, relative to those of usual size, are taken for it, so that no number type runs out of range.
 template <class R>

@@ -4,6 +4,7 @@
 // The moves of a pack that vector types have no words for: fetching and writing scattered numbers, comparing into bits,
 // and writing the chosen of a range one after another. Each has a plain version that any machine runs.
 
+#include <algorithm>
 #include <cstddef>
 
 #include "coronet/core/pack.hpp"
@@ -79,16 +80,6 @@ inline void sum_eight(Pack<float> const* a, double* sums) {
         halves[k] = Pack<double>(_mm512_cvtps_pd(low) + _mm512_cvtps_pd(high));
     }
     sum_eight(halves, sums);
-}
-
-/// The first `count` lanes of a, and `other` in those behind them.
-inline Pack<double> keep_first(Pack<double> const& a, std::size_t count, Pack<double> const& other) {
-    auto const held = static_cast<__mmask8>(count < 8 ? (1u << count) - 1 : 0xffu);
-    return Pack<double>(_mm512_mask_mov_pd(other.lanes, held, a.lanes));
-}
-inline Pack<float> keep_first(Pack<float> const& a, std::size_t count, Pack<float> const& other) {
-    auto const held = static_cast<__mmask16>(count < 16 ? (1u << count) - 1 : 0xffffu);
-    return Pack<float>(_mm512_mask_mov_ps(other.lanes, held, a.lanes));
 }
 
 /// Which lanes are below a limit, as bits; lane 0 is the lowest bit.
@@ -174,15 +165,6 @@ inline void sum_eight(Pack<float> const* a, double* sums) {
     sum_eight(halves, sums);
 }
 
-inline Pack<double> keep_first(Pack<double> const& a, std::size_t count, Pack<double> const& other) {
-    __m256d const held = Pack<double>(static_cast<double>(count)).lanes > _mm256_setr_pd(0, 1, 2, 3);
-    return Pack<double>(_mm256_blendv_pd(other.lanes, a.lanes, held));
-}
-inline Pack<float> keep_first(Pack<float> const& a, std::size_t count, Pack<float> const& other) {
-    __m256 const held = Pack<float>(static_cast<double>(count)).lanes > _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
-    return Pack<float>(_mm256_blendv_ps(other.lanes, a.lanes, held));
-}
-
 inline unsigned lanes_below(Pack<double> const& values, double limit) {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(values.lanes, _mm256_set1_pd(limit), _CMP_LT_OQ)));
 }
@@ -230,12 +212,6 @@ void sum_eight(Pack<T> const* a, double* sums) {
     for (int k = 0; k < 8; ++k) sums[k] = sum(a[k]);
 }
 template <class T>
-Pack<T> keep_first(Pack<T> a, std::size_t count, Pack<T> const& other) {
-    for (int lane = 0; lane < pack_size<T>; ++lane)
-        if (static_cast<std::size_t>(lane) >= count) a.lanes[lane] = other[lane];
-    return a;
-}
-template <class T>
 unsigned lanes_below(Pack<T> const& values, T limit) {
     unsigned held = 0;
     for (int lane = 0; lane < pack_size<T>; ++lane) held |= unsigned{values[lane] < limit} << lane;
@@ -250,5 +226,22 @@ void squeeze_range(unsigned held, Index first, Index* to) {
 }
 
 #endif
+
+/// Packs that are zero in their first lanes and a number in those behind.
+template <class T>
+class ZerosThen {
+public:
+    explicit ZerosThen(double number) {
+        std::fill_n(lanes_, pack_size<T>, T(0));
+        std::fill_n(lanes_ + pack_size<T>, pack_size<T>, static_cast<T>(number));
+    }
+    /// Zero in the first `count` lanes, in all of them if there are fewer.
+    Pack<T> after(std::size_t count) const {
+        return load(lanes_ + pack_size<T> - std::min<std::size_t>(count, pack_size<T>));
+    }
+
+private:
+    alignas(pack_bytes<T>) T lanes_[2 * pack_size<T>];
+};
 
 }  // namespace coronet

@@ -61,15 +61,24 @@ Kernel make_kernel(std::string_view name, int dimension, double support) {
     for (Shape const& shape : shapes) {
         if (shape.name != name) continue;
         double const unit = std::exp2(std::round(std::log2(support)));
-        Kernel kernel{support, 1 / (unit * unit), unit / support, shape.knots, {}, {}, {}};
+        Kernel kernel{support, 1 / (unit * unit), unit / support, false, shape.knots, {}, {}, {}};
         double const factor = shape.norm[dimension - 1] / std::pow(support, dimension);
         for (int k = 0; k < shape.knots; ++k) {
             Piece const& piece = name == "wendland-c2" && dimension == 1 ? wendland_1d : shape.piece[k];
             kernel.knot[k] = piece.knot;
+            double slope = 0;  // -dW/ds/u^2 at u = 1
             for (int n = 0; n < 4; ++n) {
                 kernel.c[k][n] = factor * piece.c[n];
                 kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support / unit;
+                slope += (n + 3) * piece.c[n];
             }
+            kernel.is_polynomial = shape.knots == 1 && slope == 0;
+        }
+        // Without slope at r = 0 the sum of d_n u^n is (1 - u) times another, whose coefficients are its partial sums.
+        if (kernel.is_polynomial) {
+            double partial = 0;
+            for (double& d : kernel.d[0]) d = partial += d * unit / support;
+            kernel.d[0][3] = 0;
         }
         return kernel;
     }

@@ -4,9 +4,10 @@
 // Smoothing kernels W(r) with support H (W = 0 for r >= H), as data: with s = r/H, every kernel here is a sum over
 // knots
 //     W(r) = sum_k u_k^3 (c_k0 + c_k1 u_k + c_k2 u_k^2 + c_k3 u_k^3),   u_k = max(0, knot_k - s),
-// so one branch-free piece of code serves all, and W and its slope vanish at the edge by themselves. Kernels of several
-// knots are splines: of each knot's powers they have the odd ones alone, c_k1 = c_k3 = 0.
-// Units: W in 1/m^D. Sources of the shapes stand beside their names in kernel.cpp.
+// so W and its slope vanish at the edge by themselves, without a branch. There are two kinds. A polynomial has one knot
+// and no slope at r = 0, so that W'/r is a polynomial, too. A spline has up to three knots, of each the odd powers
+// alone (c_k1 = c_k3 = 0), and is divided by r. Units: W in 1/m^D. Sources of the shapes stand beside their names in
+// kernel.cpp.
 
 #include <span>
 #include <string_view>
@@ -29,46 +30,54 @@ struct Kernel {
     /// lost.
     double per_unit2;  ///< 1/unit^2 [1/m^2]
     double unit_over_support;
+    bool is_polynomial;
     int knots;
     double knot[most_knots];
     double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
-    double d[most_knots][4];  ///< in 1/m^(D+2): F = unit/r sum_k u_k^2 (d_k0 + ...), d_kn = -(n + 3) c_kn/(H unit)
+    /// In 1/m^(D+2). Of a spline F = unit/r sum_k u_k^2 (d_k0 + d_k2 u_k^2), d_kn = -(n + 3) c_kn/(H unit); of a
+    /// polynomial F = u^2 (d_00 + d_01 u + d_02 u^2), which is the same with the factor s of the sum taken out.
+    double d[most_knots][4];
 
     /// r2 = r^2 [m^2]. At r = 0 F is finite for every kernel but `w3`, whose limit is infinite: there F is large and
     /// F (x_i - x_j) still zero.
     template <class R>
     CORONET_HD KernelValue<R> operator()(R const& r2) const {
-        return evaluate(r2, knots);
+        return is_polynomial ? polynomial(r2) : spline(r2, knots);
     }
-    /// The same where the number of knots is known when it is compiled; those above `knots` add nothing.
-    template <int known_knots, class R>
+    /// The same where it is known when it is compiled which kind it is; knots above `knots` add nothing.
+    template <bool known_polynomial, class R>
     CORONET_HD KernelValue<R> at(R const& r2) const {
-        return evaluate(r2, std::integral_constant<int, known_knots>{});
+        if constexpr (known_polynomial) return polynomial(r2);
+        else return spline(r2, std::integral_constant<int, most_knots>{});
     }
 
     /// W at r = 0: what a particle adds to its own sums.
     double at_zero() const { return (*this)(0.0).W; }
 
 private:
+    template <class R>
+    CORONET_HD R in_units(R const& r2) const {
+        return largest(r2 * R(per_unit2), R(nearest_square<R>));
+    }
+    template <class R>
+    CORONET_HD KernelValue<R> polynomial(R const& r2) const {
+        R const u = largest(R(knot[0]) - roots(in_units(r2)).root * R(unit_over_support), R(0));
+        R const u2 = u * u;
+        return {u2 * u * (R(c[0][0]) + u2 * R(c[0][2]) + u * (R(c[0][1]) + u2 * R(c[0][3]))),
+                u2 * (R(d[0][0]) + u2 * R(d[0][2]) + u * R(d[0][1]))};
+    }
     template <class R, class Count>
-    CORONET_HD KernelValue<R> evaluate(R const& r2, Count count) const {
-        R const safe = largest(r2 * R(per_unit2), R(nearest_square<R>));
-        R const inverse_r = inverse_root(safe);
-        R const s = safe * inverse_r * R(unit_over_support);
+    CORONET_HD KernelValue<R> spline(R const& r2, Count count) const {
+        auto const [r, per_r] = roots(in_units(r2));
+        R const s = r * R(unit_over_support);
         R W = R(0), slope = R(0);
         for (int k = 0; k < count; ++k) {
             R const u = largest(R(knot[k]) - s, R(0));
             R const u2 = u * u;
-            R const even = R(c[k][0]) + u2 * R(c[k][2]), even_slope = R(d[k][0]) + u2 * R(d[k][2]);
-            if (count == 1) {
-                W += u2 * u * (even + u * (R(c[k][1]) + u2 * R(c[k][3])));
-                slope += u2 * (even_slope + u * (R(d[k][1]) + u2 * R(d[k][3])));
-            } else {
-                W += u2 * u * even;
-                slope += u2 * even_slope;
-            }
+            W += u2 * u * (R(c[k][0]) + u2 * R(c[k][2]));
+            slope += u2 * (R(d[k][0]) + u2 * R(d[k][2]));
         }
-        return {W, slope * inverse_r};
+        return {W, slope * per_r};
     }
 };
 

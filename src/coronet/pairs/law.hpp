@@ -6,6 +6,10 @@
 //     using own   = Fields<...>;   what it reads of i alone
 //     using gives = Fields<...>;   the fields to which it contributes
 //     auto operator()(pair) const  the contribution, give<gives>(pair, ...)
+// A force along the line of the pair is told by one number instead,
+//     auto central(pair) const     a_ij of dv_i/dt = sum_j V_j a_ij grad W_ij
+// and `gives` is Fields<Acceleration>. What all central terms of a law give is multiplied by the gradient once.
+//
 // It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
 // vanish at the edge of the support. Unused lanes of a sweep hold some other particle, moved beyond it.
 
@@ -18,6 +22,11 @@ concept Term = requires {
     typename T::reads;
     typename T::own;
     typename T::gives;
+};
+
+template <class T, class P>
+concept CentralTerm = requires(T const& term, P const& ij) {
+    term.central(ij);
 };
 
 template <class... Terms>
@@ -38,14 +47,31 @@ struct Sum : Terms... {
     /// The same, term by term on top of what `total` holds: its last multiplication and the addition are then one.
     template <class Total, class P>
     CORONET_HD void add_to(Total& total, P const& ij) const {
-        (add_term(total, static_cast<Terms const&>(*this), ij), ...);
+        if constexpr ((CentralTerm<Terms, P> || ...)) total.dv += (central(ij) * (ij.j.V * ij.F)) * ij.x;
+        add_others(total, ij);
+    }
+
+    /// Of the central terms together, and those that are not.
+    template <class P>
+    requires(CentralTerm<Terms, P> || ...) CORONET_HD auto central(P const& ij) const {
+        return central_of(ij, static_cast<Terms const&>(*this)...);
+    }
+    template <class Total, class P>
+    CORONET_HD void add_others(Total& total, P const& ij) const {
+        (add_other(total, static_cast<Terms const&>(*this), ij), ...);
     }
 
 private:
+    template <class P, class First, class... Rest>
+    CORONET_HD static auto central_of(P const& ij, First const& first, Rest const&... rest) {
+        if constexpr (!CentralTerm<First, P>) return central_of(ij, rest...);
+        else if constexpr ((CentralTerm<Rest, P> || ...)) return first.central(ij) + central_of(ij, rest...);
+        else return first.central(ij);
+    }
     template <class Total, class T, class P>
-    CORONET_HD static void add_term(Total& total, T const& term, P const& ij) {
-        if constexpr (requires { term.add_to(total, ij); }) term.add_to(total, ij);
-        else add(total, term(ij), typename T::gives{});
+    CORONET_HD static void add_other(Total& total, T const& term, P const& ij) {
+        if constexpr (requires { term.add_others(total, ij); }) term.add_others(total, ij);
+        else if constexpr (!CentralTerm<T, P>) add(total, term(ij), typename T::gives{});
     }
     template <class Total, class Part, class... F>
     CORONET_HD static void add(Total& total, Part const& part, Fields<F...>) {

@@ -17,7 +17,6 @@ struct Pair {
     Values<R, D, Reads> j;
     Vector<R, D> x;      ///< x_i - x_j [m]
     R r2;                ///< |x|^2 [m^2]
-    R soft;              ///< 1/(r^2 + 0.01 h^2): an inverse square that stays finite where particles meet [1/m^2]
     R h;                 ///< smoothing length, a third of the support [m]
     R W;                 ///< kernel [1/m^D]
     R F;                 ///< W'/r [1/m^(D+2)]

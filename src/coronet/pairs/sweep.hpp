@@ -80,9 +80,9 @@ struct RowSums<D, Fields<F...>> {
     }
 };
 
-/// Sums a law over the neighbours of i, with a kernel of so many knots. Kept out of line, so that instantiations can be
-/// counted by name.
-template <int D, class T, int knots, class List, class Law>
+/// Sums a law over the neighbours of i, with a kernel of one kind or the other. Kept out of line, so that
+/// instantiations can be counted by name.
+template <int D, class T, bool polynomial, class List, class Law>
 [[gnu::noinline, gnu::flatten]] auto sweep_row(View<D> const& view, Records<D, T, List> const& records,
                                                std::span<Index const> places, std::size_t i, Kernel const& kernel,
                                                Law const& law) {
@@ -93,7 +93,7 @@ template <int D, class T, int knots, class List, class Law>
     spread_own(view, i, ij.i, typename Law::own{});
     records.spread(i, x_i, ij.i, Reads{});  // last: what is in both lists must be rounded as that of the neighbours is
     ij.h = R(kernel.support / 3);
-    R const far(4 * kernel.support * kernel.support), softening(0.01 * kernel.support * kernel.support / 9);
+    ZerosThen<T> const far(4 * kernel.support * kernel.support);
 
     Values<R, D, typename Law::gives> total;
     std::size_t const count = places.size();
@@ -101,9 +101,8 @@ template <int D, class T, int knots, class List, class Law>
         Vector<R, D> x_j;
         records.fetch(places.data() + k, x_j, ij.j);
         unrolled<D>([&](int a) { ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]); });
-        ij.r2 = keep_first(norm2(ij.x), count - k, far);
-        ij.soft = 1.0 / (ij.r2 + softening);
-        auto const [W, F] = kernel.template at<knots>(ij.r2);
+        ij.r2 = norm2(ij.x) + far.after(count - k);
+        auto const [W, F] = kernel.template at<polynomial>(ij.r2);
         ij.W = W;
         ij.F = F;
         ij.gradW = F * ij.x;
@@ -128,7 +127,7 @@ constexpr std::size_t first_like(std::size_t k) {
     return first[k];
 }
 
-template <int D, class T, int knots, class... Parts>
+template <int D, class T, bool polynomial, class... Parts>
 void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel,
                  Parts const&... parts) {
     auto const view = particles.view();
@@ -168,7 +167,8 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
             auto const count = static_cast<int>(std::min(most, end - first));
             PackOfParticles<D> const at(view, count, [&](int lane) { return part.targets[first + lane]; });
             for (int lane = 0; lane < count; ++lane)
-                rows[lane] = sweep_row<D, T, knots>(view, own, neighbours.places(at[lane]), at[lane], kernel, part.law);
+                rows[lane] =
+                    sweep_row<D, T, polynomial>(view, own, neighbours.places(at[lane]), at[lane], kernel, part.law);
             part.close(at, Sums::values(rows));
         }
     };
@@ -193,8 +193,8 @@ template <int D, class... Parts>
 void sweep(Particles<D> const& particles, Neighbours<D> const& neighbours, Kernel const& kernel, Precision precision,
            Parts const&... parts) {
     auto const with = [&]<class T>(T) {
-        if (kernel.knots == 1) detail::sweep_parts<D, T, 1>(particles, neighbours, kernel, parts...);
-        else detail::sweep_parts<D, T, Kernel::most_knots>(particles, neighbours, kernel, parts...);
+        if (kernel.is_polynomial) detail::sweep_parts<D, T, true>(particles, neighbours, kernel, parts...);
+        else detail::sweep_parts<D, T, false>(particles, neighbours, kernel, parts...);
     };
     if (precision == Precision::mixed) with(float{});
     else with(double{});

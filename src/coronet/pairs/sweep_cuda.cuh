@@ -74,7 +74,6 @@ struct DeviceRowSum {
             if (ij.r2 >= kernel.support * kernel.support) continue;
             ij.j = read_values(view, j, typename Law::reads{});
             auto const value = kernel(ij.r2);
-            ij.soft = 1 / (ij.r2 + 0.01 * ij.h * ij.h);
             ij.W = value.W;
             ij.F = value.F;
             ij.gradW = value.F * ij.x;

@@ -109,7 +109,10 @@ inline Counted smallest(Counted const& a, Counted const& b) {
     return Counted::of('m', a.value < b.value ? a.value : b.value, a, b);
 }
 inline Counted square_root(Counted const& a) { return Counted::of('r', std::sqrt(a.value), a); }
-inline Counted inverse_root(Counted const& a) { return Counted::of('i', 1 / std::sqrt(a.value), a); }
+inline Roots<Counted> roots(Counted const& a) {
+    Counted const root = square_root(a);
+    return {root, 1.0 / root};
+}
 
 /// Operations that one neighbour inside the support costs particle i, from the two positions to the sums.
 template <int D, class Law>
@@ -127,7 +130,6 @@ std::int64_t operations_per_pair(Kernel const& kernel, Law const& law) {
     ij.h = R(kernel.support / 3);
     for (int k = 0; k < D; ++k) ij.x[k] = R::quantity(0, false) - R::quantity(0.25 * kernel.support, true);
     ij.r2 = norm2(ij.x);
-    ij.soft = 1.0 / (ij.r2 + R(0.01) * ij.h * ij.h);
     auto const [W, F] = kernel(ij.r2);
     ij.W = W;
     ij.F = F;

@@ -55,10 +55,10 @@ void KeptGradients<D>::lay(Neighbours<D> const& neighbours, std::size_t n, bool 
 /// The row of i with grad W, W and W'/r where G_ij, G_ji and the slope will stand, and its correction to the records.
 /// Returns whether that fell back.
 template <int D>
-template <int knots>
+template <bool polynomial>
 [[gnu::flatten]] bool KeptGradients<D>::list(std::size_t i, Records const& records, Neighbours<D> const& neighbours,
                                              Kernel const& kernel, GradientKind kind) {
-    Lanes const far(4 * kernel.support * kernel.support);
+    ZerosThen<double> const far(4 * kernel.support * kernel.support);
     Vector<Lanes, D> x_i;
     unrolled<D>([&](int a) { x_i[a] = Lanes(records.position(i, a)); });
     auto const places = neighbours.places(i);
@@ -71,7 +71,7 @@ template <int knots>
         fetch_four(records.first, places.data() + k, number);
         Vector<Lanes, D> x;
         unrolled<D>([&](int a) { x[a] = x_i[a] - number[a]; });
-        auto const [W, F] = kernel.template at<knots>(keep_first(norm2(x), places.size() - k, far));
+        auto const [W, F] = kernel.template at<polynomial>(norm2(x) + far.after(places.size() - k));
         Vector<Lanes, D> const gradW = F * x;
         write(gradW, gradient_, at);
         store(W, &push_[at * lanes * D]);
@@ -162,8 +162,8 @@ void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const
     };
     fell_back_.resize(n);
     for_rows([&](std::size_t i) {
-        fell_back_[i] = kernel.knots == 1 ? list<1>(i, records, neighbours, kernel, kind)
-                                          : list<Kernel::most_knots>(i, records, neighbours, kernel, kind);
+        fell_back_[i] = kernel.is_polynomial ? list<true>(i, records, neighbours, kernel, kind)
+                                             : list<false>(i, records, neighbours, kernel, kind);
     });
     for_rows([&](std::size_t i) { weigh(i, records, neighbours); });
     singular_matrices_ = static_cast<std::size_t>(std::count(fell_back_.begin(), fell_back_.end(), true));

@@ -84,7 +84,7 @@ private:
     struct Records;
 
     void lay(Neighbours<D> const& neighbours, std::size_t n, bool with_slopes);
-    template <int knots>
+    template <bool polynomial>
     bool list(std::size_t i, Records const& records, Neighbours<D> const& neighbours, Kernel const& kernel,
               GradientKind kind);
     void weigh(std::size_t i, Records const& records, Neighbours<D> const& neighbours);

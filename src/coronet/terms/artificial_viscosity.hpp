@@ -41,14 +41,15 @@ struct ArtificialViscosity {
     double step_limit(double h, double c) const { return h / (alpha * c); }
 
     template <class P>
-    CORONET_HD auto operator()(P const& ij) const {
+    CORONET_HD auto central(P const& ij) const {
         using R = typename P::Number;
-        R const approach = smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
-        R const phi = approach * ij.soft;              // over h
         double const quadratic = beta > 0 ? beta : 0;  // unset it is below
-        R const minus_Pi =
-            phi * (R(alpha) * ij.h * (ij.i.c + ij.j.c) - R(2 * quadratic) * ij.h * ij.h * phi) / (ij.i.rho + ij.j.rho);
-        return give<gives>(ij, (minus_Pi * ij.j.rho * (ij.j.V * ij.F)) * ij.x);
+        // With phi = h a/q one division serves both of the equation's: a float holds q^2 rho for any h above a
+        // nanometre.
+        R const a = smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
+        R const q = ij.r2 + R(0.01) * ij.h * ij.h;
+        R const both = R(alpha) * ij.h * (ij.i.c + ij.j.c) * q - R(2 * quadratic) * ij.h * ij.h * a;
+        return a * ij.j.rho * both / (q * q * (ij.i.rho + ij.j.rho));
     }
 };
 

@@ -38,14 +38,14 @@ struct CentralViscosity {
     bool active() const { return share > 0; }
 
     template <class P>
-    CORONET_HD auto operator()(P const& ij) const {
+    CORONET_HD auto central(P const& ij) const {
         using R = typename P::Number;
         constexpr int D = decltype(ij.x)::size;
-        if (share == 0) return give<gives>(ij, Vector<R, D>{});  // other terms do not wait for it
+        if (share == 0) return R(0);  // other terms do not wait for it
         R const rate = dot(ij.i.v - ij.j.v, ij.x) / largest(ij.r2, R(1e-4) * ij.h * ij.h);
         R const both = largest(ij.i.mu + ij.j.mu, R(1e-30));  // both may be none
         R const mu = ij.i.mu * ij.j.mu / (both * ij.i.rho);
-        return give<gives>(ij, (R(4 * (D + 2) * share) * mu * rate * (ij.j.V * ij.F)) * ij.x);
+        return R(4 * (D + 2) * share) * mu * rate;
     }
 };
 

@@ -37,8 +37,8 @@ struct DistanceShift {
     CORONET_HD auto operator()(P const& ij) const {
         using R = typename P::Number;
         R const inside = select(ij.r2 < R(reach * reach), R(1), R(0));
-        R const r2 = largest(ij.r2, R(1e-4) * ij.h * ij.h), per_r = inverse_root(r2);
-        return give<gives>(ij, (inside * per_r * per_r * per_r) * ij.x, inside, inside * r2 * per_r);
+        auto const [r, per_r] = roots(largest(ij.r2, R(1e-4) * ij.h * ij.h));
+        return give<gives>(ij, (inside * per_r * per_r * per_r) * ij.x, inside, inside * r);
     }
 
     /// R of the sums.

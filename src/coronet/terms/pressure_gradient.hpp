@@ -15,8 +15,8 @@ struct PressureGradient {
     using gives = Fields<Acceleration>;
 
     template <class P>
-    CORONET_HD auto operator()(P const& ij) const {
-        return give<gives>(ij, (-1.0 / ij.i.rho * (ij.i.p + ij.j.p) * (ij.j.V * ij.F)) * ij.x);
+    CORONET_HD auto central(P const& ij) const {
+        return -1.0 / ij.i.rho * (ij.i.p + ij.j.p);
     }
 };
 
