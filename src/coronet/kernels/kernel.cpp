@@ -60,8 +60,7 @@ std::span<std::string_view const> kernel_names() { return names; }
 Kernel make_kernel(std::string_view name, int dimension, double support) {
     for (Shape const& shape : shapes) {
         if (shape.name != name) continue;
-        double const unit = std::exp2(std::round(std::log2(support)));
-        Kernel kernel{support, 1 / (unit * unit), unit / support, false, shape.knots, {}, {}, {}};
+        Kernel kernel{support, 1 / support, false, 0, shape.knots, {}, {}, {}};
         double const factor = shape.norm[dimension - 1] / std::pow(support, dimension);
         for (int k = 0; k < shape.knots; ++k) {
             Piece const& piece = name == "wendland-c2" && dimension == 1 ? wendland_1d : shape.piece[k];
@@ -69,15 +68,16 @@ Kernel make_kernel(std::string_view name, int dimension, double support) {
             double slope = 0;  // -dW/ds/u^2 at u = 1
             for (int n = 0; n < 4; ++n) {
                 kernel.c[k][n] = factor * piece.c[n];
-                kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support / unit;
+                kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support;
                 slope += (n + 3) * piece.c[n];
+                if (piece.c[n] != 0) kernel.W_over_slope = -support / (n + 3);
             }
             kernel.is_polynomial = shape.knots == 1 && slope == 0;
         }
         // Without slope at r = 0 the sum of d_n u^n is (1 - u) times another, whose coefficients are its partial sums.
         if (kernel.is_polynomial) {
             double partial = 0;
-            for (double& d : kernel.d[0]) d = partial += d * unit / support;
+            for (double& d : kernel.d[0]) d = partial += d / support;
             kernel.d[0][3] = 0;
         }
         return kernel;

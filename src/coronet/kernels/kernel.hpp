@@ -5,9 +5,10 @@
 // knots
 //     W(r) = sum_k u_k^3 (c_k0 + c_k1 u_k + c_k2 u_k^2 + c_k3 u_k^3),   u_k = max(0, knot_k - s),
 // so W and its slope vanish at the edge by themselves, without a branch. There are two kinds. A polynomial has one knot
-// and no slope at r = 0, so that W'/r is a polynomial, too. A spline has up to three knots, of each the odd powers
-// alone (c_k1 = c_k3 = 0), and is divided by r. Units: W in 1/m^D. Sources of the shapes stand beside their names in
-// kernel.cpp.
+// and no slope at r = 0, so that W'/r is a polynomial, too. A spline has up to three knots, of all of them the same odd
+// power, u^3 or u^5: then W follows from the terms of its slope, of which each is a factor u and a number away.
+//
+// Units: W in 1/m^D. Sources of the shapes stand beside their names in kernel.cpp.
 
 #include <span>
 #include <string_view>
@@ -25,17 +26,15 @@ struct KernelValue {
 
 struct Kernel {
     static constexpr int most_knots = 3;
-    double support;  ///< H [m]
-    /// Distances are taken in units of a power of two near H, so that roots are of numbers near one and no digit is
-    /// lost.
-    double per_unit2;  ///< 1/unit^2 [1/m^2]
-    double unit_over_support;
+    double support;      ///< H [m]
+    double per_support;  ///< 1/H [1/m]
     bool is_polynomial;
+    double W_over_slope;  ///< of a spline, c_kn/d_kn = -H/(n + 3) [m]
     int knots;
     double knot[most_knots];
     double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
-    /// In 1/m^(D+2). Of a spline F = unit/r sum_k u_k^2 (d_k0 + d_k2 u_k^2), d_kn = -(n + 3) c_kn/(H unit); of a
-    /// polynomial F = u^2 (d_00 + d_01 u + d_02 u^2), which is the same with the factor s of the sum taken out.
+    /// Of a spline F = 1/r sum_k u_k^2 (d_k0 + d_k2 u_k^2), d_kn = -(n + 3) c_kn/H, in 1/m^(D+1). Of a polynomial F =
+    /// u^2 (d_00 + d_01 u + d_02 u^2), in 1/m^(D+2), which is the same with r taken out of the sum.
     double d[most_knots][4];
 
     /// r2 = r^2 [m^2]. At r = 0 F is finite for every kernel but `w3`, whose limit is infinite: there F is large and
@@ -56,28 +55,28 @@ struct Kernel {
 
 private:
     template <class R>
-    CORONET_HD R in_units(R const& r2) const {
-        return largest(r2 * R(per_unit2), R(nearest_square<R>));
+    CORONET_HD auto roots_of(R const& r2) const {
+        return roots(largest(r2, R(nearest_square<R> * support * support)));
     }
     template <class R>
     CORONET_HD KernelValue<R> polynomial(R const& r2) const {
-        R const u = largest(R(knot[0]) - roots(in_units(r2)).root * R(unit_over_support), R(0));
+        R const u = largest(R(knot[0]) - roots_of(r2).root * R(per_support), R(0));
         R const u2 = u * u;
         return {u2 * u * (R(c[0][0]) + u2 * R(c[0][2]) + u * (R(c[0][1]) + u2 * R(c[0][3]))),
                 u2 * (R(d[0][0]) + u2 * R(d[0][2]) + u * R(d[0][1]))};
     }
     template <class R, class Count>
     CORONET_HD KernelValue<R> spline(R const& r2, Count count) const {
-        auto const [r, per_r] = roots(in_units(r2));
-        R const s = r * R(unit_over_support);
-        R W = R(0), slope = R(0);
+        auto const [r, per_r] = roots_of(r2);
+        R const s = r * R(per_support);
+        R moment = R(0), slope = R(0);
         for (int k = 0; k < count; ++k) {
             R const u = largest(R(knot[k]) - s, R(0));
-            R const u2 = u * u;
-            W += u2 * u * (R(c[k][0]) + u2 * R(c[k][2]));
-            slope += u2 * (R(d[k][0]) + u2 * R(d[k][2]));
+            R const u2 = u * u, part = u2 * (R(d[k][0]) + u2 * R(d[k][2]));
+            slope += part;
+            moment += part * u;
         }
-        return {W, slope * per_r};
+        return {R(W_over_slope) * moment, slope * per_r};
     }
 };
 

@@ -80,12 +80,12 @@ struct RowSums<D, Fields<F...>> {
     }
 };
 
-/// Sums a law over the neighbours of i, with a kernel of one kind or the other. Kept out of line, so that
-/// instantiations can be counted by name.
+/// Sums a law over the neighbours of i, with a kernel of one kind or the other; `far` is added to the squares behind
+/// the end of a row. Kept out of line, so that instantiations can be counted by name.
 template <int D, class T, bool polynomial, class List, class Law>
 [[gnu::noinline, gnu::flatten]] auto sweep_row(View<D> const& view, Records<D, T, List> const& records,
                                                std::span<Index const> places, std::size_t i, Kernel const& kernel,
-                                               Law const& law) {
+                                               ZerosThen<T> const& far, Law const& law) {
     using R = Pack<T>;
     using Reads = typename Law::reads;
     Pair<R, D, Unite<Reads, typename Law::own>, Reads> ij;
@@ -93,7 +93,6 @@ template <int D, class T, bool polynomial, class List, class Law>
     spread_own(view, i, ij.i, typename Law::own{});
     records.spread(i, x_i, ij.i, Reads{});  // last: what is in both lists must be rounded as that of the neighbours is
     ij.h = R(kernel.support / 3);
-    ZerosThen<T> const far(4 * kernel.support * kernel.support);
 
     Values<R, D, typename Law::gives> total;
     std::size_t const count = places.size();
@@ -101,7 +100,8 @@ template <int D, class T, bool polynomial, class List, class Law>
         Vector<R, D> x_j;
         records.fetch(places.data() + k, x_j, ij.j);
         unrolled<D>([&](int a) { ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]); });
-        ij.r2 = norm2(ij.x) + far.after(count - k);
+        ij.r2 = far.after(count - k);
+        unrolled<D>([&](int a) { ij.r2 += ij.x[a] * ij.x[a]; });
         auto const [W, F] = kernel.template at<polynomial>(ij.r2);
         ij.W = W;
         ij.F = F;
@@ -158,6 +158,7 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
         return all;
     }
     (std::index_sequence_for<Parts...>{});
+    ZerosThen<T> const far(4 * kernel.support * kernel.support);
     auto const run = [&](auto const& part, auto const& own, std::size_t block) __attribute__((flatten)) {
         using Sums = RowSums<D, typename std::decay_t<decltype(part.law)>::gives>;
         constexpr std::size_t most = PackOfParticles<D>::most;
@@ -167,8 +168,8 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
             auto const count = static_cast<int>(std::min(most, end - first));
             PackOfParticles<D> const at(view, count, [&](int lane) { return part.targets[first + lane]; });
             for (int lane = 0; lane < count; ++lane)
-                rows[lane] =
-                    sweep_row<D, T, polynomial>(view, own, neighbours.places(at[lane]), at[lane], kernel, part.law);
+                rows[lane] = sweep_row<D, T, polynomial>(view, own, neighbours.places(at[lane]), at[lane], kernel, far,
+                                                         part.law);
             part.close(at, Sums::values(rows));
         }
     };

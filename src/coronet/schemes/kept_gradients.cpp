@@ -71,7 +71,9 @@ template <bool polynomial>
         fetch_four(records.first, places.data() + k, number);
         Vector<Lanes, D> x;
         unrolled<D>([&](int a) { x[a] = x_i[a] - number[a]; });
-        auto const [W, F] = kernel.template at<polynomial>(norm2(x) + far.after(places.size() - k));
+        Lanes r2 = far.after(places.size() - k);
+        unrolled<D>([&](int a) { r2 += x[a] * x[a]; });
+        auto const [W, F] = kernel.template at<polynomial>(r2);
         Vector<Lanes, D> const gradW = F * x;
         write(gradW, gradient_, at);
         store(W, &push_[at * lanes * D]);
