@@ -207,6 +207,19 @@ TEST(Kernel, HasThePublishedValues) {
         }
 }
 
+TEST(Kernel, WithoutSlopeAtTheCentreHasItsCurvatureThereForTheSlopeOverR) {
+    for (auto const& [name, curvature] : {std::pair{"wendland-c2", -20.0}, {"w6", -6.0}})  // of W/W(0) at H = 1
+        for (double const H : supports) {
+            Kernel const kernel = make_kernel(name, 3, H);
+            EXPECT_TRUE(kernel.is_polynomial);
+            double const expected = curvature * kernel.at_zero() / (H * H);
+            // It is taken at 1e-12 H, where it has fallen by three times that.
+            EXPECT_NEAR(kernel(0.0).F, expected, 4e-12 * std::fabs(expected)) << name;
+        }
+    for (auto const name : {"w3", "cubic-spline", "quintic-spline"})
+        EXPECT_FALSE(make_kernel(name, 3, 1).is_polynomial);
+}
+
 TEST(Kernel, TellsAPackOfDistancesWhatItTellsEachAlone) {
     for_all_kernels([](Kernel const& kernel, auto, int) {
         auto const expect_alike = [&]<class T>(T rounding) {

@@ -89,19 +89,19 @@ class CheckHouse(unittest.TestCase):
         tool = self.root / "bin" / "nm"
         tool.parent.mkdir(exist_ok=True)
         lines = [f"00000000000b5bf0 t {name}" for name in names]
-        lines.append("                 U coronet::sweep_row<2, double, Undefined>()")
+        lines.append("                 U coronet::sweep_rows<2, double, Undefined>()")
         tool.write_text("#!/bin/sh\ncat <<'END'\n" + "\n".join(lines) + "\nEND\n")
         tool.chmod(0o755)
         path = f"{tool.parent}:{os.environ['PATH']}"
         return self.check("src/coronet/core/a.cpp", SPDX, "--binary", "program", env=dict(os.environ, PATH=path))
 
     def test_pair_loops_are_few(self):
-        laws = [f"auto coronet::detail::sweep_row<{dimension}, double, coronet::Sum<Law{k}> >()"
+        laws = [f"void coronet::detail::sweep_rows<{dimension}, double, coronet::Sum<Law{k}> >()"
                 for dimension in (2, 3) for k in range(32)]
         self.assertEqual(self.count(laws), "")
         self.assertEqual(self.count(laws + laws), "")  # in two objects
         self.assertEqual(self.count(laws + [laws[0] + " [clone .constprop.0]"]), "")
-        self.assertIn("33 pair loops in 3D, double", self.count(laws + ["auto coronet::detail::sweep_row<3, double, One>()"]))
+        self.assertIn("33 pair loops in 3D, double", self.count(laws + ["void coronet::detail::sweep_rows<3, double, One>()"]))
         self.assertIn("no pair loop was found", self.count(["main"]))
 
 

@@ -8,7 +8,8 @@
 //     auto operator()(pair) const  the contribution, give<gives>(pair, ...)
 // A force along the line of the pair is told by one number instead,
 //     auto central(pair) const     a_ij of dv_i/dt = sum_j V_j a_ij grad W_ij
-// and `gives` is Fields<Acceleration>. What all central terms of a law give is multiplied by the gradient once.
+// with Volume among what it reads, and `gives` is Fields<Acceleration>. What all central terms of a law give is
+// multiplied by the gradient once.
 //
 // It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
 // vanish at the edge of the support. Unused lanes of a sweep hold some other particle, moved beyond it.

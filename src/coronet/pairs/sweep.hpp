@@ -80,35 +80,39 @@ struct RowSums<D, Fields<F...>> {
     }
 };
 
-/// Sums a law over the neighbours of i, with a kernel of one kind or the other; `far` is added to the squares behind
-/// the end of a row. Kept out of line, so that instantiations can be counted by name.
+/// Sums a law over the neighbours of each of a pack of particles, with a kernel of one kind or the other; `far` is
+/// added to the squares behind the end of a row. Kept out of line, so that instantiations can be counted by name.
 template <int D, class T, bool polynomial, class List, class Law>
-[[gnu::noinline, gnu::flatten]] auto sweep_row(View<D> const& view, Records<D, T, List> const& records,
-                                               std::span<Index const> places, std::size_t i, Kernel const& kernel,
-                                               ZerosThen<T> const& far, Law const& law) {
+[[gnu::noinline, gnu::flatten]] void sweep_rows(View<D> const& view, Records<D, T, List> const& records,
+                                                Neighbours<D> const& neighbours, PackOfParticles<D> const& at,
+                                                Kernel const& kernel, ZerosThen<T> const& far, Law const& law,
+                                                RowSums<D, typename Law::gives>* rows) {
     using R = Pack<T>;
     using Reads = typename Law::reads;
     Pair<R, D, Unite<Reads, typename Law::own>, Reads> ij;
-    Vector<R, D> x_i;
-    spread_own(view, i, ij.i, typename Law::own{});
-    records.spread(i, x_i, ij.i, Reads{});  // last: what is in both lists must be rounded as that of the neighbours is
     ij.h = R(kernel.support / 3);
-
-    Values<R, D, typename Law::gives> total;
-    std::size_t const count = places.size();
-    for (std::size_t k = 0; k < count; k += pack_size<T>) {
-        Vector<R, D> x_j;
-        records.fetch(places.data() + k, x_j, ij.j);
-        unrolled<D>([&](int a) { ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]); });
-        ij.r2 = far.after(count - k);
-        unrolled<D>([&](int a) { ij.r2 += ij.x[a] * ij.x[a]; });
-        auto const [W, F] = kernel.template at<polynomial>(ij.r2);
-        ij.W = W;
-        ij.F = F;
-        ij.gradW = F * ij.x;
-        law.add_to(total, ij);
+    for (int lane = 0; lane < at.count(); ++lane) {
+        Vector<R, D> x_i;
+        spread_own(view, at[lane], ij.i, typename Law::own{});
+        // Last: what is in both lists must be rounded as that of the neighbours is.
+        records.spread(at[lane], x_i, ij.i, Reads{});
+        Values<R, D, typename Law::gives> total;
+        auto const places = neighbours.places(at[lane]);
+        std::size_t const count = places.size();
+        for (std::size_t k = 0; k < count; k += pack_size<T>) {
+            Vector<R, D> x_j;
+            records.fetch(places.data() + k, x_j, ij.j);
+            unrolled<D>([&](int a) { ij.x[a] = records.coordinate.difference(x_i[a], x_j[a]); });
+            ij.r2 = far.after(count - k);
+            unrolled<D>([&](int a) { ij.r2 += ij.x[a] * ij.x[a]; });
+            auto const [W, F] = kernel.template at<polynomial>(ij.r2);
+            ij.W = W;
+            ij.F = F;
+            ij.gradW = F * ij.x;
+            law.add_to(total, ij);
+        }
+        rows[lane] = RowSums<D, typename Law::gives>(total);
     }
-    return RowSums<D, typename Law::gives>(total);
 }
 
 /// Which of the types L is the first that is the same as number k.
@@ -167,9 +171,7 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
         for (std::size_t first = part.targets.begin[block]; first < end; first += most) {
             auto const count = static_cast<int>(std::min(most, end - first));
             PackOfParticles<D> const at(view, count, [&](int lane) { return part.targets[first + lane]; });
-            for (int lane = 0; lane < count; ++lane)
-                rows[lane] = sweep_row<D, T, polynomial>(view, own, neighbours.places(at[lane]), at[lane], kernel, far,
-                                                         part.law);
+            sweep_rows<D, T, polynomial>(view, own, neighbours, at, kernel, far, part.law, rows);
             part.close(at, Sums::values(rows));
         }
     };
