@@ -23,7 +23,7 @@ using coronet::make_kernel;
 using std::numbers::pi;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double supports[] = {1e-3, 0.3, 2.5};
+constexpr double supports[] = {1e-7, 1e-3, 0.3, 2.5, 1e7};
 
 template <class Check>
 void for_all_kernels(Check const& check) {
@@ -213,7 +213,7 @@ TEST(Kernel, WithoutSlopeAtTheCentreHasItsCurvatureThereForTheSlopeOverR) {
             Kernel const kernel = make_kernel(name, 3, H);
             EXPECT_TRUE(kernel.is_polynomial);
             double const expected = curvature * kernel.at_zero() / (H * H);
-            // It is taken at 1e-12 H, where it has fallen by three times that.
+            // It is taken at 1e-12 H, where it has fallen by at most three times that.
             EXPECT_NEAR(kernel(0.0).F, expected, 4e-12 * std::fabs(expected)) << name;
         }
     for (auto const name : {"w3", "cubic-spline", "quintic-spline"})
@@ -223,8 +223,8 @@ TEST(Kernel, WithoutSlopeAtTheCentreHasItsCurvatureThereForTheSlopeOverR) {
 TEST(Kernel, TellsAPackOfDistancesWhatItTellsEachAlone) {
     for_all_kernels([](Kernel const& kernel, auto, int) {
         auto const expect_alike = [&]<class T>(T rounding) {
-            // With packs of float not at r = 0, where the slope is a difference of large numbers.
-            for (int start = sizeof(T) == 4; start < 40; start += coronet::pack_size<T>) {
+            // With packs of float not at r = 0 of a spline, where the slope is a difference of large numbers.
+            for (int start = sizeof(T) == 4 && !kernel.is_polynomial; start < 40; start += coronet::pack_size<T>) {
                 T r2[coronet::pack_size<T>];
                 for (int k = 0; k < coronet::pack_size<T>; ++k)
                     r2[k] = static_cast<T>(std::pow(kernel.support * 1.2 * (start + k) / 40, 2));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "coronet/core/simd.hpp"
 #include "tests/terms/random_pair.hpp"
 
 namespace coronet {
@@ -56,6 +57,28 @@ TEST(ArtificialViscosity, HasTheValueOfThePaperForOnePair) {
     double const phi = 10 * -3.0 / (25 + 0.01 * 100), Pi = (-0.3 * 15 * phi + 0.7 * phi * phi) / 1000;
     EXPECT_DOUBLE_EQ(viscosity(ij).dv[0], -2 * Pi * -6);
     EXPECT_DOUBLE_EQ(viscosity(ij).dv[1], -2 * Pi * -8);
+}
+
+TEST(ArtificialViscosity, HasInFloatTheValueOfDoubleForEveryKernelRadiusThatACaseMayHave) {
+    using Float = Pack<float>;
+    for (auto ij : random_pairs<3, ArtificialViscosity>(100))
+        for (double const H : {1e-7, 1e-3, 1.0, 1e7}) {
+            auto scaled = ij;
+            scaled.x = H * ij.x, scaled.r2 = H * H * ij.r2, scaled.h = H * ij.h;
+            scaled.i.v = 1e4 * ij.i.v, scaled.i.c = 1e4 * ij.i.c, scaled.i.rho = 1e3 * ij.i.rho;
+            scaled.j.v = 1e4 * ij.j.v, scaled.j.c = 1e4 * ij.j.c, scaled.j.rho = 1e3 * ij.j.rho;
+            Pair<Float, 3, ArtificialViscosity::reads, ArtificialViscosity::reads> rounded;
+            rounded.x = numbers<Float>(scaled.x), rounded.r2 = scaled.r2, rounded.h = scaled.h;
+            auto const round = [](auto const& from, auto& to) {
+                to.v = numbers<Float>(from.v), to.c = from.c, to.rho = from.rho, to.V = from.V;
+            };
+            round(scaled.i, rounded.i);
+            round(scaled.j, rounded.j);
+            double const exact = viscosity.central(scaled), alpha_c_v = 0.3 * 1e4 * 1e4;
+            EXPECT_NEAR(static_cast<double>(viscosity.central(rounded)[0]), exact,
+                        1e-5 * (std::fabs(exact) + alpha_c_v))
+                << H;
+        }
 }
 
 }  // namespace coronet

@@ -5,6 +5,7 @@
 // vector types of g++ and clang; the moves that they have no words for are in simd.hpp. Without CORONET_SIMD a pack
 // holds one number, so the same loops serve.
 
+#include <algorithm>
 #include <type_traits>
 
 #include "coronet/core/real.hpp"
@@ -77,6 +78,23 @@ void store(Pack<T> const& pack, T* to) {
     __builtin_memcpy(to, &pack.lanes, sizeof pack.lanes);
 }
 
+/// Packs that are zero in their first lanes and a number in those behind.
+template <class T>
+class ZerosThen {
+public:
+    explicit ZerosThen(double number) {
+        std::fill_n(lanes_, pack_size<T>, T(0));
+        std::fill_n(lanes_ + pack_size<T>, pack_size<T>, static_cast<T>(number));
+    }
+    /// Zero in the first `count` lanes, in all of them if there are fewer.
+    Pack<T> after(std::size_t count) const {
+        return load(lanes_ + pack_size<T> - std::min<std::size_t>(count, pack_size<T>));
+    }
+
+private:
+    alignas(pack_bytes<T>) T lanes_[2 * pack_size<T>];
+};
+
 template <>
 inline constexpr double nearest_square<Pack<float>> = 1e-14;
 
@@ -118,7 +136,7 @@ inline double sum(Pack<float> const& a) {
 inline Pack<double> square_root(Pack<double> const& a) { return Pack<double>(_mm512_sqrt_pd(a.lanes)); }
 inline Pack<float> square_root(Pack<float> const& a) { return Pack<float>(_mm512_sqrt_ps(a.lanes)); }
 
-/// To a unit or two in the last place, for what a float can hold. From the 14 bits of 1/sqrt(a) that the processor
+/// The roots of a > 0 to a unit or two in the last place. From the 14 bits of 1/sqrt(a) that the processor
 /// looks up, with e = 1 - a y^2: 1/sqrt(a) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)); float needs one term less. A
 /// root and a division would keep the divider busy for longer than the rest of a pair takes.
 inline Roots<Pack<double>> roots(Pack<double> const& a) {
@@ -186,6 +204,7 @@ Pack<T> square_root(Pack<T> a) {
 }
 #endif
 
+// The other instruction sets: there the divider is idle otherwise, and what can be looked up has fewer bits.
 #if !(CORONET_SIMD && defined(__AVX512F__))
 template <class T>
 Roots<Pack<T>> roots(Pack<T> const& a) {

@@ -44,7 +44,7 @@ CORONET_HD inline Roots<double> roots(double a) {
     return {root, 1 / root};
 }
 
-/// Squares of distances below that of a kernel's support squared are taken for it, so that no root is of zero.
+/// Squares of distances count as at least this share of the support's square, so that no root is of zero.
 template <class R>
 inline constexpr double nearest_square = 1e-24;
 

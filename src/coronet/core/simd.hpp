@@ -4,7 +4,6 @@
 // The moves of a pack that vector types have no words for: fetching and writing scattered numbers, comparing into bits,
 // and writing the chosen of a range one after another. Each has a plain version that any machine runs.
 
-#include <algorithm>
 #include <cstddef>
 
 #include "coronet/core/pack.hpp"
@@ -226,22 +225,5 @@ void squeeze_range(unsigned held, Index first, Index* to) {
 }
 
 #endif
-
-/// Packs that are zero in their first lanes and a number in those behind.
-template <class T>
-class ZerosThen {
-public:
-    explicit ZerosThen(double number) {
-        std::fill_n(lanes_, pack_size<T>, T(0));
-        std::fill_n(lanes_ + pack_size<T>, pack_size<T>, static_cast<T>(number));
-    }
-    /// Zero in the first `count` lanes, in all of them if there are fewer.
-    Pack<T> after(std::size_t count) const {
-        return load(lanes_ + pack_size<T> - std::min<std::size_t>(count, pack_size<T>));
-    }
-
-private:
-    alignas(pack_bytes<T>) T lanes_[2 * pack_size<T>];
-};
 
 }  // namespace coronet

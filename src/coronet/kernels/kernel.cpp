@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coronet/kernels/kernel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -47,6 +48,22 @@ constexpr std::array shapes{
 
 constexpr Piece wendland_1d{1, {4, -3, 0, 0}};
 
+/// -dW/ds at s = 0 of a kernel of one knot at 1.
+constexpr double slope_at_zero(Piece const& piece) {
+    return 3 * piece.c[0] + 4 * piece.c[1] + 5 * piece.c[2] + 6 * piece.c[3];
+}
+constexpr bool is_polynomial(Shape const& shape) { return shape.knots == 1 && slope_at_zero(shape.piece[0]) == 0; }
+
+/// What Kernel takes for granted: a polynomial's knot is 1, and a spline has one power, u^3 or u^5.
+constexpr bool is_of_either_kind(Shape const& shape) {
+    if (is_polynomial(shape)) return shape.piece[0].knot == 1;
+    for (Piece const& piece : shape.piece)
+        for (int n = 0; n < 4; ++n)
+            if (piece.c[n] != 0 && (n % 2 == 1 || shape.piece[0].c[n] == 0)) return false;
+    return (shape.piece[0].c[0] == 0) != (shape.piece[0].c[2] == 0);
+}
+static_assert(std::ranges::all_of(shapes, is_of_either_kind) && slope_at_zero(wendland_1d) == 0);
+
 constexpr auto names = [] {
     std::array<std::string_view, shapes.size()> list;
     for (std::size_t k = 0; k < shapes.size(); ++k) list[k] = shapes[k].name;
@@ -60,24 +77,24 @@ std::span<std::string_view const> kernel_names() { return names; }
 Kernel make_kernel(std::string_view name, int dimension, double support) {
     for (Shape const& shape : shapes) {
         if (shape.name != name) continue;
-        Kernel kernel{support, 1 / support, false, 0, shape.knots, {}, {}, {}};
+        Kernel kernel{support, 1 / support, is_polynomial(shape), 0, shape.knots, {}, {}, {}};
         double const factor = shape.norm[dimension - 1] / std::pow(support, dimension);
         for (int k = 0; k < shape.knots; ++k) {
             Piece const& piece = name == "wendland-c2" && dimension == 1 ? wendland_1d : shape.piece[k];
             kernel.knot[k] = piece.knot;
-            double slope = 0;  // -dW/ds/u^2 at u = 1
             for (int n = 0; n < 4; ++n) {
                 kernel.c[k][n] = factor * piece.c[n];
                 kernel.d[k][n] = -(n + 3) * kernel.c[k][n] / support;
-                slope += (n + 3) * piece.c[n];
-                if (piece.c[n] != 0) kernel.W_over_slope = -support / (n + 3);
             }
-            kernel.is_polynomial = shape.knots == 1 && slope == 0;
         }
+        if (!kernel.is_polynomial) kernel.c_over_d = -support / (shape.piece[0].c[0] != 0 ? 3 : 5);
         // Without slope at r = 0 the sum of d_n u^n is (1 - u) times another, whose coefficients are its partial sums.
         if (kernel.is_polynomial) {
             double partial = 0;
-            for (double& d : kernel.d[0]) d = partial += d / support;
+            for (double& d : kernel.d[0]) {
+                partial += d / support;
+                d = partial;
+            }
             kernel.d[0][3] = 0;
         }
         return kernel;

@@ -5,8 +5,9 @@
 // knots
 //     W(r) = sum_k u_k^3 (c_k0 + c_k1 u_k + c_k2 u_k^2 + c_k3 u_k^3),   u_k = max(0, knot_k - s),
 // so W and its slope vanish at the edge by themselves, without a branch. There are two kinds. A polynomial has one knot
-// and no slope at r = 0, so that W'/r is a polynomial, too. A spline has up to three knots, of all of them the same odd
-// power, u^3 or u^5: then W follows from the terms of its slope, of which each is a factor u and a number away.
+// and no slope at r = 0, so that W'/r is a polynomial, too. What has several knots, or a slope at r = 0, counts as a
+// spline: all of its knots have the same power alone, u^3 or u^5. Then W is the sum of the terms of its slope, each
+// times u, and times a number that is the same for all.
 //
 // Units: W in 1/m^D. Sources of the shapes stand beside their names in kernel.cpp.
 
@@ -29,7 +30,7 @@ struct Kernel {
     double support;      ///< H [m]
     double per_support;  ///< 1/H [1/m]
     bool is_polynomial;
-    double W_over_slope;  ///< of a spline, c_kn/d_kn = -H/(n + 3) [m]
+    double c_over_d;  ///< of a spline: the same for all of its coefficients, -H/(n + 3) [m]
     int knots;
     double knot[most_knots];
     double c[most_knots][4];  ///< in 1/m^D: the normalisation is folded in
@@ -69,14 +70,14 @@ private:
     CORONET_HD KernelValue<R> spline(R const& r2, Count count) const {
         auto const [r, per_r] = roots_of(r2);
         R const s = r * R(per_support);
-        R moment = R(0), slope = R(0);
+        R sum = R(0), slope = R(0);
         for (int k = 0; k < count; ++k) {
             R const u = largest(R(knot[k]) - s, R(0));
             R const u2 = u * u, part = u2 * (R(d[k][0]) + u2 * R(d[k][2]));
             slope += part;
-            moment += part * u;
+            sum += part * u;
         }
-        return {R(W_over_slope) * moment, slope * per_r};
+        return {R(c_over_d) * sum, slope * per_r};
     }
 };
 

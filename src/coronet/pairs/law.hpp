@@ -11,7 +11,7 @@
 // with Volume among what it reads, and `gives` is Fields<Acceleration>. What all central terms of a law give is
 // multiplied by the gradient once.
 //
-// It changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
+// A term changes nothing and knows no loop. Every contribution must carry the kernel or its gradient as a factor: both
 // vanish at the edge of the support. Unused lanes of a sweep hold some other particle, moved beyond it.
 
 #include "coronet/pairs/pair.hpp"
@@ -48,13 +48,15 @@ struct Sum : Terms... {
     /// The same, term by term on top of what `total` holds: its last multiplication and the addition are then one.
     template <class Total, class P>
     CORONET_HD void add_to(Total& total, P const& ij) const {
-        if constexpr ((CentralTerm<Terms, P> || ...)) total.dv += (central(ij) * (ij.j.V * ij.F)) * ij.x;
+        if constexpr ((CentralTerm<Terms, P> || ...)) {
+            Acceleration::of(total) += (central(ij) * (Volume::of(ij.j) * ij.F)) * ij.x;
+        }
         add_others(total, ij);
     }
 
     /// Of the central terms together, and those that are not.
     template <class P>
-    requires(CentralTerm<Terms, P> || ...) CORONET_HD auto central(P const& ij) const {
+    CORONET_HD auto central(P const& ij) const requires(CentralTerm<Terms, P> || ...) {
         return central_of(ij, static_cast<Terms const&>(*this)...);
     }
     template <class Total, class P>
@@ -73,6 +75,13 @@ private:
     CORONET_HD static void add_other(Total& total, T const& term, P const& ij) {
         if constexpr (requires { term.add_others(total, ij); }) term.add_others(total, ij);
         else if constexpr (!CentralTerm<T, P>) add(total, term(ij), typename T::gives{});
+        else {
+            static_assert(std::is_same_v<typename T::gives, Fields<Acceleration>>,
+                          "a central term gives Fields<Acceleration> alone");
+            static_assert(detail::has<Volume, typename T::reads>, "a central term must read Volume: V_j multiplies it");
+            static_assert(
+                !requires { term(ij); }, "a term is central or has operator(), not both");
+        }
     }
     template <class Total, class Part, class... F>
     CORONET_HD static void add(Total& total, Part const& part, Fields<F...>) {

@@ -149,7 +149,7 @@ void sweep_parts(Particles<D> const& particles, Neighbours<D> const& neighbours,
             } else {
                 own = {next, 4 * n, Coordinate<T>(kernel.support * 0x1p-24), {}};
                 next += n * own.width;
-                if constexpr (own.is_relative)
+                if constexpr (std::decay_t<decltype(own)>::is_relative)
                     own.frame = (1 / static_cast<double>(n)) * sum_over(n, Vector<double, D>{}, [&](std::size_t i) {
                                     return view.template get<Velocity>(i);
                                 });

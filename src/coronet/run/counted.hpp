@@ -2,7 +2,7 @@
 #pragma once
 
 // How many floating-point operations a law does for a pair: counted, by running the law itself with a number that
-// remembers how it came about. Each + - * /, root (plain or inverse), comparison, choice and extremum of numbers is one
+// remembers how it came about. Each + - * /, root, comparison, choice and extremum of numbers is one
 // operation; a sign is none, since it melts into the operation that follows. As a compiler would, the count takes an
 // expression that occurs twice once, and one that no result needs not at all; what follows from particle i and from
 // constants alone is the same for all neighbours, done once per particle, and not counted.

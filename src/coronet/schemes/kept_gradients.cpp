@@ -57,8 +57,7 @@ void KeptGradients<D>::lay(Neighbours<D> const& neighbours, std::size_t n, bool 
 template <int D>
 template <bool polynomial>
 [[gnu::flatten]] bool KeptGradients<D>::list(std::size_t i, Records const& records, Neighbours<D> const& neighbours,
-                                             Kernel const& kernel, GradientKind kind) {
-    ZerosThen<double> const far(4 * kernel.support * kernel.support);
+                                             Kernel const& kernel, ZerosThen<double> const& far, GradientKind kind) {
     Vector<Lanes, D> x_i;
     unrolled<D>([&](int a) { x_i[a] = Lanes(records.position(i, a)); });
     auto const places = neighbours.places(i);
@@ -163,9 +162,10 @@ void KeptGradients<D>::set_up(Particles<D> const& particles, Neighbours<D> const
         });
     };
     fell_back_.resize(n);
+    ZerosThen<double> const far(4 * kernel.support * kernel.support);
     for_rows([&](std::size_t i) {
-        fell_back_[i] = kernel.is_polynomial ? list<true>(i, records, neighbours, kernel, kind)
-                                             : list<false>(i, records, neighbours, kernel, kind);
+        fell_back_[i] = kernel.is_polynomial ? list<true>(i, records, neighbours, kernel, far, kind)
+                                             : list<false>(i, records, neighbours, kernel, far, kind);
     });
     for_rows([&](std::size_t i) { weigh(i, records, neighbours); });
     singular_matrices_ = static_cast<std::size_t>(std::count(fell_back_.begin(), fell_back_.end(), true));

@@ -86,7 +86,7 @@ private:
     void lay(Neighbours<D> const& neighbours, std::size_t n, bool with_slopes);
     template <bool polynomial>
     bool list(std::size_t i, Records const& records, Neighbours<D> const& neighbours, Kernel const& kernel,
-              GradientKind kind);
+              ZerosThen<double> const& far, GradientKind kind);
     void weigh(std::size_t i, Records const& records, Neighbours<D> const& neighbours);
 
     std::vector<std::size_t> begin_;  ///< of the packs of the row of i

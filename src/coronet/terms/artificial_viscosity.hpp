@@ -44,12 +44,12 @@ struct ArtificialViscosity {
     CORONET_HD auto central(P const& ij) const {
         using R = typename P::Number;
         double const quadratic = beta > 0 ? beta : 0;  // unset it is below
-        // With phi = h a/q one division serves both of the equation's: a float holds q^2 rho for any h above a
-        // nanometre.
-        R const a = smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
-        R const q = ij.r2 + R(0.01) * ij.h * ij.h;
-        R const both = R(alpha) * ij.h * (ij.i.c + ij.j.c) * q - R(2 * quadratic) * ij.h * ij.h * a;
-        return a * ij.j.rho * both / (q * q * (ij.i.rho + ij.j.rho));
+        // phi = a/q, both in units of h, so that one division does for phi and for the density.
+        R const per_h = 1.0 / ij.h;
+        R const a = per_h * smallest(dot(ij.i.v - ij.j.v, ij.x), R(0));
+        R const q = ij.r2 * (per_h * per_h) + R(0.01);
+        R const minus_Pi = a * (R(alpha) * (ij.i.c + ij.j.c) * q - R(2 * quadratic) * a);  // times q^2 (rho_i + rho_j)
+        return ij.j.rho * minus_Pi / (q * q * (ij.i.rho + ij.j.rho));
     }
 };
 
